@@ -25,7 +25,7 @@ from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
 from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
-from jounce.identify.motion import TRANSLATION, Motion, MotionName
+from jounce.identify.motion import TRANSLATION, MeasuredMotion, MotionName
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
@@ -198,7 +198,7 @@ def read_force_deflection(
     table: TableFormat,
     stroke_positive: StrokePositive | None = None,
     force_positive: ForcePositive | None = None,
-    motions: Sequence[Motion] = (TRANSLATION,),
+    motions: Sequence[MeasuredMotion] = (TRANSLATION,),
 ) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
     """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid.
 

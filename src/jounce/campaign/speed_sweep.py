@@ -13,7 +13,7 @@ from jounce.core.errors import DescriptionError, FitError, SimulationError
 from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
+from jounce.identify.fit_problem import FitTrial, FreeParameter, UpdateProblem
 from jounce.identify.settings import UpdateSettings
 from jounce.parts import Rig
 from jounce.parts.rig import unknown_path
@@ -137,7 +137,7 @@ def _speeds(speeds: ArrayLike | Sequence[str]) -> Array:
     return velocity
 
 
-def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[Free, ...]:
+def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ...]:
     """Free parameters whose scaled unit is their own value, so that derivatives are with respect to the logarithm."""
     values = rig.parameters()
     for path in parameters:
@@ -145,10 +145,10 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[Free, ...]:
             raise unknown_path(f"speed sweep: {path}", values, name=path)
         if values[path] == 0.0:
             raise FitError("no relative sensitivity to a value of zero", where=path, hint="Give it a small value.")
-    return tuple(Free(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
+    return tuple(FreeParameter(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
 
 
-def _one(rig: Rig, trial: Trial, free: tuple[Free, ...], output_step: float) -> tuple[dict[str, float], Array]:
+def _one(rig: Rig, trial: Trial, free: tuple[FreeParameter, ...], output_step: float) -> tuple[dict[str, float], Array]:
     """Numbers of one run, and sensitivities by channel and parameter (absolute, relative).
 
     Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from jounce.campaign import Campaign, CampaignResult
     from jounce.core.findings import Finding
     from jounce.identify.posterior import Posterior
-    from jounce.identify.prediction import Band
+    from jounce.identify.prediction import PredictionBand
 
 
 class TableKind(StrEnum):
@@ -273,7 +273,7 @@ def _posterior_table(found: Posterior) -> dict[str, Any]:
     return plain
 
 
-def _bands_csv(channels: Mapping[str, Band]) -> str:
+def _bands_csv(channels: Mapping[str, PredictionBand]) -> str:
     """Bands of one trial as a table, SI."""
     time = next(iter(channels.values())).time
     columns: dict[str, Any] = {"time [s]": time}

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import CombinedDecay, DecayResult
-    from jounce.identify.motion import Motion, Quantity
+    from jounce.identify.motion import MeasuredMotion, Quantity
     from jounce.identify.stiffness import StiffnessResult
     from jounce.report import Page
 
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
 
 
-def _decay_estimates(motion: Motion) -> tuple[tuple[str, str, str], ...]:
+def _decay_estimates(motion: MeasuredMotion) -> tuple[tuple[str, str, str], ...]:
     """Names of the numbers of a decay: as they are told, as the result has them, and their units."""
     return (
         ("damping_ratio", "damping_ratio", "1"),
@@ -284,7 +284,7 @@ def decay(
     return _reply(plain, page, as_json=as_json, missing=missing)
 
 
-def _inertia(mass: str | None, inertia: str | None, motion: Motion, channel: str) -> dict[str, float]:
+def _inertia(mass: str | None, inertia: str | None, motion: MeasuredMotion, channel: str) -> dict[str, float]:
     """What swings: the mass of a motion along a line, the inertia of one about an axis."""
     given = {"mass": mass, "inertia": inertia}
     text = given.pop(motion.inertia_word)

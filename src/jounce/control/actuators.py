@@ -396,10 +396,12 @@ class MagnetorheologicalDamper(_Actuator):
         """Force (N) at one end of the voltage."""
         deflection = now.seen("strut.deflection") + now.number("static_deflection")
         law: TanhDamper | BoucWenDamper = getattr(self, end)
-        return law.evaluate(_Seen(lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection))
+        return law.evaluate(
+            _ControllerPoint(lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection)
+        )
 
 
-class _Seen(SampledPoint):
+class _ControllerPoint(SampledPoint):
     """Operating point of a damper law as a controller sees it, which knows the side of the hysteresis only."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002

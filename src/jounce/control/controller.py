@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -160,7 +161,7 @@ class ForceLaw(Controller):
         return Decision(self.actuator.command_for_force(self.force(now) / now.number("motion_ratio"), now))
 
 
-class DamperLaw(Controller):
+class TwoStateLaw(Controller):
     """A law that switches a damper between soft and firm; a force actuator is refused."""
 
     def product(self, now: Instant) -> ca.SX:
@@ -179,6 +180,13 @@ class DamperLaw(Controller):
                 "allowed: semi-active, magnetorheological"
             )
         return self
+
+
+def __getattr__(name: str) -> Any:
+    if name != "DamperLaw":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    warnings.warn("DamperLaw is the base of laws of dampers in rigs: use TwoStateLaw", DeprecationWarning, stacklevel=2)
+    return TwoStateLaw
 
 
 def given(value: float | None, otherwise: float) -> float:
@@ -273,7 +281,7 @@ class Regulator(Protocol):
 
 
 @dataclass(frozen=True)
-class Setting:
+class RunSetting:
     """What a controller in Python knows of the run.
 
     Attributes
@@ -303,7 +311,7 @@ class CallbackController(Controller):
         """Where it is to be found, for messages."""
         return f"control: {self.name}"
 
-    def regulator(self, setting: Setting) -> Regulator:
+    def regulator(self, setting: RunSetting) -> Regulator:
         """Give what the loop calls."""
         raise NotImplementedError
 
@@ -332,7 +340,7 @@ class PythonControl(CallbackController):
     function: Callable[..., Any]
     actuator: Actuator = SemiActiveDamper()
 
-    def regulator(self, setting: Setting) -> Regulator:
+    def regulator(self, setting: RunSetting) -> Regulator:
         """Give what the loop calls."""
         return _OwnFunction(self.function, setting)
 
@@ -350,11 +358,11 @@ class _OwnFunction:
     from_rest = False
     findings = ()
 
-    def __init__(self, function: Callable[[dict[str, float], float], Any], setting: Setting) -> None:
+    def __init__(self, function: Callable[[dict[str, float], float], Any], setting: RunSetting) -> None:
         self._function = function
         self.channels = tuple(setting.units)
         self._corners = tuple(setting.controllers)
-        self._limits = Limits(setting.controllers)
+        self._limits = CommandLimits(setting.controllers)
 
     def start(self) -> None:
         """Begin a run."""
@@ -395,7 +403,7 @@ class _OwnFunction:
         )
 
 
-class Limits:
+class CommandLimits:
     """Limits and rate limits of all commands."""
 
     def __init__(self, controllers: Mapping[str, Controller]) -> None:

@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, AnyActuator, Instant, Lookup, SemiActiveDamper
-from jounce.control.controller import Controller, DamperLaw, Decision, ForceLaw, given
+from jounce.control.controller import Controller, Decision, ForceLaw, TwoStateLaw, given
 from jounce.control.design import (
     H_INFINITY_CHANNELS,
     H_INFINITY_ORDER,
@@ -103,7 +103,7 @@ class Skyhook(_Hook):
         return -now.number("damping_coefficient") * now.seen("sprung.vz")
 
 
-class TwoStateSkyhook(DamperLaw):
+class TwoStateSkyhook(TwoStateLaw):
     """Firm where a damper to the sky would pull the same way: ``sprung.vz * extension rate >= 0``."""
 
     law: Literal["skyhook-two-state"] = "skyhook-two-state"
@@ -131,7 +131,7 @@ class Groundhook(_Hook):
         return now.number("damping_coefficient") * now.seen("unsprung.vz")
 
 
-class TwoStateGroundhook(DamperLaw):
+class TwoStateGroundhook(TwoStateLaw):
     """Firm where a damper to the ground would pull the wheel the same way."""
 
     law: Literal["groundhook-two-state"] = "groundhook-two-state"
@@ -174,7 +174,7 @@ class Hybrid(_Hook):
         return {**super().numbers(corner), "skyhook_share": self.skyhook_share}
 
 
-class ADD(DamperLaw):
+class ADD(TwoStateLaw):
     """Acceleration driven damping: firm where body acceleration and extension rate agree [savaresi2005]."""
 
     law: Literal["add"] = "add"
@@ -185,7 +185,7 @@ class ADD(DamperLaw):
         return now.seen("sprung.az") * now.extension_rate
 
 
-class SHADD(DamperLaw):
+class SHADD(TwoStateLaw):
     """Skyhook below a crossover frequency, acceleration driven damping above it [savaresi2007].
 
     Attributes

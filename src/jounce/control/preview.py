@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
-from jounce.control.controller import CallbackController, Limits, Regulator, Setting, given
+from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting, given
 from jounce.control.design import CornerModel, corner_equations, corner_outputs, sampled
 from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
@@ -66,7 +66,7 @@ class PreviewMPC(CallbackController):
     }
     needs_wheel: ClassVar[bool] = True
 
-    def regulator(self, setting: Setting) -> Regulator:
+    def regulator(self, setting: RunSetting) -> Regulator:
         """Give what the loop calls."""
         return _Planner(self, setting)
 
@@ -165,10 +165,10 @@ class _Planner:
     from_rest = True
     findings = ()
 
-    def __init__(self, mpc: PreviewMPC, setting: Setting) -> None:
+    def __init__(self, mpc: PreviewMPC, setting: RunSetting) -> None:
         corners = tuple(setting.controllers)
         self.channels = tuple(f"{corner}.{name}" if corner else name for corner in corners for name in _CHANNELS)
-        self._limits = Limits(setting.controllers)
+        self._limits = CommandLimits(setting.controllers)
         steps = max(round(mpc.preview * mpc.rate), 1)
         if steps > _LONGEST:
             raise SimulationError(

@@ -106,7 +106,7 @@ def misfit(
 
 def _hints(function: Callable[..., Any]) -> dict[str, Any]:
     """Annotations of a function or class as types; those whose names cannot be looked up are left out."""
-    space = _Names(vars(sys.modules[function.__module__]))
+    space = _ModuleNames(vars(sys.modules[function.__module__]))
     hints: dict[str, Any] = {}
     for name, annotation in inspect.get_annotations(function).items():
         holder = types.SimpleNamespace(__annotations__={name: annotation})
@@ -115,7 +115,7 @@ def _hints(function: Callable[..., Any]) -> dict[str, Any]:
     return hints
 
 
-class _Names(dict[str, Any]):
+class _ModuleNames(dict[str, Any]):
     """Names of a module, and those it imports for type checkers only: they are in another module of jounce."""
 
     def __missing__(self, name: str) -> Any:
@@ -161,7 +161,7 @@ def _options(hint: Any) -> tuple[Any, ...]:
     arrays = _members(ArrayLike)
     if not set(arrays) <= set(parts):
         return parts
-    return (Numbers, *(part for part in parts if part not in arrays))
+    return (ArrayLikeNumbers, *(part for part in parts if part not in arrays))
 
 
 def _members(hint: Any) -> tuple[Any, ...]:
@@ -174,7 +174,7 @@ def _members(hint: Any) -> tuple[Any, ...]:
     return tuple(dict.fromkeys(member for part in get_args(hint) for member in _members(part)))
 
 
-class Numbers:
+class ArrayLikeNumbers:
     """Whatever NumPy makes an array of numbers of."""
 
 
@@ -212,7 +212,7 @@ def fits(value: Any, hint: Any) -> bool:
         return type(value).__name__ in ("bool", "bool_", "int") and value in (0, 1)
     if not isinstance(kind, type):
         return True
-    if kind in (float, int, Numbers) or kind.__name__ == "ndarray":
+    if kind in (float, int, ArrayLikeNumbers) or kind.__name__ == "ndarray":
         return _is_number(value, kind)
     if kind.__name__ == "Callable":
         return callable(value)

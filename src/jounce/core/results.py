@@ -127,11 +127,11 @@ def _metadata(annotation: Any, module: str) -> tuple[Any, ...]:
         if "Shows(" not in annotation:
             return ()
         names = vars(sys.modules[module])
-        annotation = eval(annotation, names, _Names(names))  # noqa: S307 - our own source
+        annotation = eval(annotation, names, _AnnotationNames(names))  # noqa: S307 - our own source
     return getattr(annotation, "__metadata__", ())
 
 
-class _Names(dict[str, Any]):
+class _AnnotationNames(dict[str, Any]):
     """Names of a module; a name that is imported for type checkers only stands for any type."""
 
     def __missing__(self, name: str) -> Any:

@@ -31,7 +31,7 @@ C = TypeVar("C", bound=Corner)
 
 
 @dataclass(frozen=True)
-class Setting:
+class Adjustable:
     """One adjustment: range in the SI ``unit``, what it is, and where the range comes from.
 
     ``base`` gives the value that a rig has as it is; ``ends`` the range for a rig where it depends on it; ``fits``
@@ -109,10 +109,10 @@ _SHIMS = "no published range; estimated"
 _ESTIMATED = "the paper gives no range; estimated"
 _FIVE, _TOE = float(np.radians(5.0)), float(np.radians(10.5))
 _TURNBUCKLE = "lengthening of the {} arm at its turnbuckle"
-SETTINGS: dict[str, Setting] = {
+SETTINGS: dict[str, Adjustable] = {
     item.name: item
     for item in (
-        Setting(
+        Adjustable(
             "lower_arm_length",
             "m",
             0.0,
@@ -121,7 +121,7 @@ SETTINGS: dict[str, Setting] = {
             _PAPER,
             fits=_has("lower_arm_front"),
         ),
-        Setting(
+        Adjustable(
             "upper_arm_length",
             "m",
             0.0,
@@ -130,7 +130,7 @@ SETTINGS: dict[str, Setting] = {
             _PAPER,
             fits=_has("upper_arm_front"),
         ),
-        Setting(
+        Adjustable(
             "tie_rod_length",
             "m",
             -0.020,
@@ -140,13 +140,13 @@ SETTINGS: dict[str, Setting] = {
             fits=_has("tie_rod_inner"),
         ),
         *(
-            Setting(
+            Adjustable(
                 f"link_{i}_length", "m", -0.010, 0.010, f"lengthening of link {i}", _SHIMS, fits=_has("link_1_inner")
             )
             for i in range(1, 6)
         ),
         *(
-            Setting(
+            Adjustable(
                 f"{arm}_arm_support",
                 "m",
                 -0.030,
@@ -157,7 +157,7 @@ SETTINGS: dict[str, Setting] = {
             )
             for arm in ("lower", "upper")
         ),
-        Setting(
+        Adjustable(
             "strut_angle",
             "rad",
             float(np.radians(PUBLISHED_ANGLES[0])),
@@ -167,7 +167,7 @@ SETTINGS: dict[str, Setting] = {
             strut_angle,
             fits=_is_double_wishbone,
         ),
-        Setting(
+        Adjustable(
             "spring_preload",
             "N",
             0.0,
@@ -178,7 +178,7 @@ SETTINGS: dict[str, Setting] = {
             ends=_preloads,
             fits=_has_coil,
         ),
-        Setting(
+        Adjustable(
             "camber_shim",
             "m",
             -0.010,
@@ -187,7 +187,7 @@ SETTINGS: dict[str, Setting] = {
             _SHIMS,
             fits=lambda rig: bool(_shimmed(rig)),
         ),
-        Setting(
+        Adjustable(
             "camber_plate",
             "m",
             -0.020,
@@ -196,10 +196,10 @@ SETTINGS: dict[str, Setting] = {
             _SHIMS,
             fits=lambda rig: isinstance(rig, McPherson),
         ),
-        Setting("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=has_rocker),
-        Setting("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
-        Setting("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
-        Setting(
+        Adjustable("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=has_rocker),
+        Adjustable("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
+        Adjustable("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
+        Adjustable(
             "short_upper_arm",
             "m",
             0.1125,
@@ -731,7 +731,7 @@ def _out_of_reach(rig: Corner, wished: Mapping[str, float], ways: Mapping[str, l
     )
 
 
-def _effect(rig: Corner, setting: Setting, findings: list[Finding]) -> Effect:
+def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect:
     """Take a setting over its range; notes where the linkage does not go together are added to ``findings``."""
     base, (lowest, highest) = setting.base(rig), setting.range_for(rig)
 

@@ -32,7 +32,7 @@ from jounce.design.problem import (
     stationary_evaluator,
     units_of,
 )
-from jounce.identify.fit_problem import Bounds, Free
+from jounce.identify.fit_problem import Bounds, FreeParameter
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Corner, Rig
@@ -249,7 +249,7 @@ def _metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
 
 
 def _samples(
-    rig: Rig, numbers: Sequence[Free], spread: Mapping[str, Spread], samples: int, seed: int
+    rig: Rig, numbers: Sequence[FreeParameter], spread: Mapping[str, Spread], samples: int, seed: int
 ) -> tuple[list[Rig], list[Array]]:
     """The rig as it would be built each time, and factors of the free numbers there."""
     ones = np.ones(len(numbers))
@@ -283,7 +283,7 @@ def _samples(
 
 
 def _evaluator(
-    case: Case, families: Families, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
+    case: Case, families: Families, numbers: Sequence[FreeParameter], metrics: tuple[Metric, ...], name: str
 ) -> tuple[StationaryEvaluator | OneByOne, tuple[Finding, ...]]:
     where = f"cases.{name}"
     if isinstance(case, Trial):

@@ -168,7 +168,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     given = {name: value for name, value in (("road", road), ("speed", speed), ("band", band)) if value is not None}
     objective = dict.fromkeys(names, 1.0)
     problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
-    race = _Race(problem, names)
+    race = _GoalSearch(problem, names)
     tried: list[Array] = []
     with told(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
         settled, span = _search(race, points, tried)
@@ -189,7 +189,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     )  # fmt: skip
 
 
-def _search(race: _Race, points: int, tried: list[Array]) -> tuple[bool, Array]:
+def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, Array]:
     """Designs of the front, added to those ``tried``; tell whether all searches came to rest, and the goals' ranges."""
     problem = race.problem
     tried.extend(_corner(problem, name) for name in race.names)
@@ -209,7 +209,7 @@ def _search(race: _Race, points: int, tried: list[Array]) -> tuple[bool, Array]:
     return settled, span
 
 
-def _aims(race: _Race, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
+def _aims(race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
     """Mixtures to aim at: some spread evenly, then between those designs that are ``tried`` and still far apart."""
     yield from mixtures(len(best), max(points // 2, len(best) + 1))
     known: set[tuple[int, int]] = set()
@@ -256,7 +256,7 @@ class _Aim(NamedTuple):
     mixture: Array
 
 
-class _Race:
+class _GoalSearch:
     """Goals of a task and its limits in scaled numbers, with their slopes."""
 
     def __init__(self, problem: DesignProblem, names: Sequence[str]) -> None:

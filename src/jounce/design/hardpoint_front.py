@@ -18,9 +18,9 @@ from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.design.hardpoint_search import Search, places, refuse_idle
+from jounce.design.hardpoint_search import HardpointSearch, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
-from jounce.design.kinematics import Task, moved_rigs, read_task, values_before
+from jounce.design.kinematics import KinematicTask, moved_rigs, read_task, values_before
 from jounce.design.mixtures import MOST_GOALS, achieved, mixtures, undominated
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
@@ -153,13 +153,13 @@ def kinematic_front(
     return front_of(read_task(rig, free, targets, vehicle, shapes), points, starts, seed)
 
 
-def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:
+def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> KinematicFront:
     """Search for the front that a task asks for."""
     search = task.search()
     goals, held = _goals(search)
     values_before(search)
     refuse_idle(search, task.free, seed)
-    race = _Race(search, goals, held)
+    race = _HardpointFrontSearch(search, goals, held)
     corners = [_corner(race, i, starts, seed) for i in range(len(goals))]
     reached = np.array([race.goals_at(x) for x in corners])
     best, worst = reached.min(axis=0), reached.max(axis=0)
@@ -184,7 +184,7 @@ def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:
     )
 
 
-def _goals(search: Search) -> tuple[dict[str, tuple[int, ...]], list[int]]:
+def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[int]]:
     """Goals by name with their targets, and the targets that are held."""
     named = any(item.text.goal is not None for item in search.wanted)
     goals: dict[str, list[int]] = {}
@@ -208,10 +208,10 @@ def _goals(search: Search) -> tuple[dict[str, tuple[int, ...]], list[int]]:
     return {name: tuple(members) for name, members in goals.items()}, held
 
 
-class _Race:
+class _HardpointFrontSearch:
     """Goals and constraints of a search, with their slopes."""
 
-    def __init__(self, search: Search, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]) -> None:
+    def __init__(self, search: HardpointSearch, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]) -> None:
         self.search, self.goals = search, goals
         parts = search.evaluator.parts
         count = parts[-1].stop
@@ -305,7 +305,7 @@ class _Race:
         return np.asarray(np.clip(found.x[:size], search.lower, search.upper), dtype=float)
 
 
-def _corner(race: _Race, i: int, starts: int, seed: int) -> Array:
+def _corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) -> Array:
     """The least of one goal, from several places."""
     weights = np.full(len(race.goals), _SHARE)
     weights[i] = 1.0
@@ -321,7 +321,7 @@ def _corner(race: _Race, i: int, starts: int, seed: int) -> Array:
     return min(good, key=lambda x: float(weights @ race.goals_at(x)))
 
 
-def _design(race: _Race, x: Array) -> FrontDesign | None:
+def _design(race: _HardpointFrontSearch, x: Array) -> FrontDesign | None:
     """What is told of a place, None where its numbers make no rig."""
     search = race.search
     try:

@@ -46,7 +46,7 @@ class Asked(NamedTuple):
 
 
 @dataclass
-class Search:
+class HardpointSearch:
     """Residuals of all targets in tolerances, for free numbers in shares of their boxes."""
 
     evaluator: Evaluators
@@ -256,7 +256,7 @@ class Outcome:
     asked: Asked | None = None
     """What was asked for where all targets are met."""
 
-    def drawn_back(self, search: Search) -> Outcome:
+    def drawn_back(self, search: HardpointSearch) -> Outcome:
         """The same nearer to the rig, where all targets are met."""
         if self.asked is None:
             return self
@@ -274,7 +274,7 @@ class Outcome:
         return not self.met, not self.holds, self.travelled if self.met else self.cost
 
 
-def search_from(search: Search, x: Array) -> Outcome:
+def search_from(search: HardpointSearch, x: Array) -> Outcome:
     """Search from a place; where the compromise misses a target, try to bring all within their tolerances."""
     x, cost, met, steps, ended = search.descend(x, search.compromise)
     if not np.isfinite(cost):
@@ -295,7 +295,7 @@ def search_from(search: Search, x: Array) -> Outcome:
     return best
 
 
-def places(search: Search, starts: int, seed: int) -> list[Array]:
+def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
     """Where searches begin: the rig (or the nearest place of the boxes), then a Latin hypercube of the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed)
@@ -306,7 +306,7 @@ def places(search: Search, starts: int, seed: int) -> list[Array]:
     return [first, *(search.lower + shares * (search.upper - search.lower))]
 
 
-def refuse_idle(search: Search, free: Sequence[FreePoint], seed: int) -> None:
+def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -> None:
     """Refuse entries of which no number changes any target, at the rig and at another place of the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed + 1)

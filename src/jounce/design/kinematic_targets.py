@@ -317,7 +317,7 @@ class _CornerPoses:
         self.place = np.argsort(self.sweep.layout.place)
 
 
-class Evaluator:
+class TargetEvaluator:
     """Values of all targets for the numbers of a rig, and their slopes along ``directions`` (parameters, n).
 
     ``lengths`` (n,) are how far each direction may go. Where the axle has a ``right`` corner of its own, its numbers
@@ -632,7 +632,7 @@ class Evaluators:
             into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
             sides = [name, right] if right else [name]
             part = np.concatenate([np.arange(numbering.parts[one].start, numbering.parts[one].stop) for one in sides])
-            member = Evaluator(
+            member = TargetEvaluator(
                 numbering.rigs[name],
                 [wanted[i] for i in mine],
                 directions[part],

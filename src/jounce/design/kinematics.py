@@ -23,7 +23,7 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
-from jounce.design.hardpoint_search import UNSETTLED, Outcome, Search, places, refuse_idle, search_from
+from jounce.design.hardpoint_search import UNSETTLED, HardpointSearch, Outcome, places, refuse_idle, search_from
 from jounce.design.kinematic_study import NAME, SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
@@ -382,7 +382,7 @@ def _of_file(rig: object, free: object, targets: object) -> KinematicDesign:
 
 
 @dataclass(frozen=True)
-class Task:
+class KinematicTask:
     """What a search is asked: rigs by name, what is free and wanted in the words of a study, and cars around them."""
 
     rigs: Rigs
@@ -406,11 +406,11 @@ class Task:
             if own:
                 Workshop(rig, own, self.spread, self.vehicles.get(name))
 
-    def search(self) -> Search:
+    def search(self) -> HardpointSearch:
         """Lay out a search."""
         numbering, numbers, wanted = self.read()
         evaluator = Evaluators(numbering, wanted, numbers.directions, numbers.lengths, self.vehicles)
-        return Search(evaluator, numbers, wanted)
+        return HardpointSearch(evaluator, numbers, wanted)
 
 
 def read_task(
@@ -419,7 +419,7 @@ def read_task(
     targets: Sequence[KinematicTarget | Mapping[str, Any]],
     vehicle: AxleLayout | Mapping[str, AxleLayout] | None = None,
     shapes: Mapping[str, Shape] | None = None,
-) -> Task:
+) -> KinematicTask:
     """Read what :func:`design_kinematics` and its relatives take."""
     rigs = rig if isinstance(rig, Mapping) else {"": as_rig(rig)}
     cars = dict(vehicle) if isinstance(vehicle, Mapping) else {} if vehicle is None else {"": vehicle}
@@ -434,7 +434,7 @@ def read_task(
             raise DescriptionError(
                 "not a name of a rig", where="rig", found=str(name), allowed="letters, digits, _ and -"
             )
-    return Task(
+    return KinematicTask(
         {name: check_corner(one) for name, one in rigs.items()},
         tuple(points),
         tuple(wishes),
@@ -446,13 +446,15 @@ def read_task(
 Found = TypeVar("Found")
 
 
-def run_study(path: Path | str, run: Callable[[KinematicStudy, Task], Found]) -> tuple[Found, dict[str, Path]]:
+def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], Found]) -> tuple[Found, dict[str, Path]]:
     """Read a study file and run it; give what was found and the file of each rig. Errors name the file and the line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
     files = {name: rig_named_in(file, Path(path)) for name, file in study.named().items()}
     try:
         rigs = {name: check_corner(load(file)) for name, file in files.items()}
-        return run(study, Task(rigs, study.free, study.target, study.around(), study.spread, study.shapes or {})), files
+        return run(
+            study, KinematicTask(rigs, study.free, study.target, study.around(), study.spread, study.shapes or {})
+        ), files
     except DescriptionError as error:
         raise _placed(error, path, text) from None
 
@@ -460,7 +462,7 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, Task], Found]) ->
 def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
     """Read a study file without a search; give it with how many numbers are free. Errors name the file and the line."""
 
-    def read(study: KinematicStudy, task: Task) -> tuple[KinematicStudy, int]:
+    def read(study: KinematicStudy, task: KinematicTask) -> tuple[KinematicStudy, int]:
         _, numbers, wanted = task.read()
         task.check_spread(wanted)
         return study, len(numbers.owners)
@@ -478,7 +480,7 @@ def _placed(error: DescriptionError, path: Path | str, text: str) -> Description
     return DescriptionError(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)
 
 
-def design(task: Task, starts: int, seed: int) -> KinematicDesign:
+def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
     """Search for the hardpoints that a task asks for."""
     search = task.search()
     before = values_before(search)
@@ -509,7 +511,7 @@ def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:
     return [item for item in wanted if item.rig == name and not item.right]
 
 
-def values_before(search: Search) -> list[Array]:
+def values_before(search: HardpointSearch) -> list[Array]:
     """Values of the targets of the rigs as they are; those that have none are refused."""
     wanted = search.wanted
     before, _ = search.evaluator.at(search.free.origin, slopes=False)
@@ -532,7 +534,7 @@ def values_before(search: Search) -> list[Array]:
 # what is told ---------------------------------------------------------------------------------------------------------
 
 
-def moved_rigs(search: Search, x: Array) -> dict[str, Corner]:
+def moved_rigs(search: HardpointSearch, x: Array) -> dict[str, Corner]:
     """The rigs found, their numbers as they can be written: lengths to the nanometre in mm."""
     numbering = search.evaluator.numbering
     index = {path: i for i, path in enumerate(numbering.paths)}
@@ -549,7 +551,7 @@ def moved_rigs(search: Search, x: Array) -> dict[str, Corner]:
     return {name: rig.with_changes(changed[name]) for name, rig in numbering.rigs.items()}
 
 
-def _numbers_at(search: Search, outcome: Outcome) -> dict[str, float]:
+def _numbers_at(search: HardpointSearch, outcome: Outcome) -> dict[str, float]:
     """The free numbers where a search ended, as they can be written; none where they are no rig."""
     if not np.isfinite(outcome.cost):
         return {}
@@ -563,9 +565,9 @@ def _numbers_at(search: Search, outcome: Outcome) -> dict[str, float]:
 
 
 def _result(
-    task: Task,
+    task: KinematicTask,
     moved: dict[str, Corner],
-    search: Search,
+    search: HardpointSearch,
     x: Array,
     before: list[Array],
     outcomes: list[Outcome],
@@ -637,7 +639,7 @@ def told(item: Wanted, before: Array, after: Array) -> TargetResult:
     )
 
 
-def _sensitivity(task: Task, rigs: Rigs, wanted: Sequence[Wanted]) -> dict[str, tuple[float, ...]]:
+def _sensitivity(task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]) -> dict[str, tuple[float, ...]]:
     """What each coordinate of a hardpoint changes of each target, SI per metre, the largest over its curve."""
     numbering = Numbering.of(rigs)
     paths = [path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")]
@@ -655,12 +657,12 @@ def _largest(values: Array) -> Array:
     return np.asarray(values[np.argmax(np.abs(values), axis=0), np.arange(values.shape[1])])
 
 
-def _room(search: Search, x: Array) -> NDArray[np.bool_]:
+def _room(search: HardpointSearch, x: Array) -> NDArray[np.bool_]:
     """Which numbers are not at the edge of their boxes."""
     return np.asarray((x > search.lower + 1e-9) & (x < search.upper - 1e-9))
 
 
-def _fights(search: Search, x: Array, values: list[Array], slopes: list[Array]) -> tuple[Fight, ...]:
+def _fights(search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]) -> tuple[Fight, ...]:
     """Targets that go away when one that is missed comes nearer, at what the boxes still allow."""
     room = _room(search, x)
     pulls = []
@@ -680,7 +682,9 @@ def _fights(search: Search, x: Array, values: list[Array], slopes: list[Array]) 
     return tuple(found)
 
 
-def _tradeoffs(search: Search, x: Array, values: list[Array], slopes: list[Array]) -> tuple[tuple[float, ...], ...]:
+def _tradeoffs(
+    search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]
+) -> tuple[tuple[float, ...], ...]:
     """How targets answer when one more tolerance is asked of one: the compromise anew, to first order."""
     room = _room(search, x)
     moves = [slope * search.scale / item.tolerance * room for item, slope in zip(search.wanted, slopes, strict=True)]
@@ -703,7 +707,9 @@ def _room_within(item: Wanted, value: Array) -> Array:
     return np.asarray(np.minimum(value - item.low, item.high - value) / item.tolerance)
 
 
-def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identified, ...], tuple[OpenCombination, ...]]:
+def identifiability(
+    search: HardpointSearch, slopes: list[Array]
+) -> tuple[tuple[Identified, ...], tuple[OpenCombination, ...]]:
     """How well values that are known to their tolerances tell the free numbers, and what they leave open."""
     rows = np.vstack(
         [
@@ -736,7 +742,7 @@ def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identifi
     return numbers, tuple(combinations)
 
 
-def _unspread(task: Task, wanted: Sequence[Wanted]) -> list[Finding]:
+def _unspread(task: KinematicTask, wanted: Sequence[Wanted]) -> list[Finding]:
     """Targets that a spread does not know."""
     several = [i for i, item in enumerate(wanted) if task.spread is not None and item.right]
     return [finding("design.not_in_spread", f"target[{i}] {wanted[i].label}") for i in several]
@@ -752,7 +758,7 @@ def _unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
     )
 
 
-def _findings(search: Search, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:
+def _findings(search: HardpointSearch, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:
     found = []
     met = all(target.met for target in targets)
     for j in np.flatnonzero((x < search.lower + _EDGE) | (x > search.upper - _EDGE)):

@@ -31,7 +31,7 @@ _SAME_LINE = 1e-6
 
 
 @dataclass(frozen=True)
-class Difference:
+class ModelDifference:
     """One quantity in both models, SI, and why they differ; None where a model does not have it."""
 
     quantity: str
@@ -81,7 +81,7 @@ class ModelComparison(Shown):
 
     lumping: Lumping
     lumped: QuarterCar
-    rows: tuple[Difference, ...]
+    rows: tuple[ModelDifference, ...]
     travel: Array
     motion_ratio: Array
     wheel_rate: Array
@@ -225,14 +225,16 @@ def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
     return tuple(-mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.vz"))  # type: ignore[return-value]
 
 
-def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damping: float) -> tuple[Difference, ...]:
+def _rows(
+    spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damping: float
+) -> tuple[ModelDifference, ...]:
     sprung, unsprung = found.static_masses
     shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in found.shares.items())
     turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in found.shares.items())
     ratio = float(np.cos(lumped.strut.angle))
     across = f", {found.wheel_rate_across:+.4g} from third spring and Z-bar" if found.wheel_rate_across else ""
     rows = [
-        Difference(
+        ModelDifference(
             "motion ratio at rest",
             "1",
             found.motion_ratio,
@@ -241,14 +243,14 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
             "strut's angle, as if it stood at the wheel.",
         ),
         *_damper_row(found, ratio),
-        Difference(
+        ModelDifference(
             "change of the motion ratio with travel",
             "1/m",
             found.motion_ratio_gradient,
             0.0,
             "The arm turns and the strut with it; a lumped strut keeps its angle.",
         ),
-        Difference(
+        ModelDifference(
             "wheel rate",
             "N/m",
             found.wheel_rate,
@@ -257,24 +259,24 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
             f"force of {found.spring_force:.4g} N where the motion ratio changes, {found.wheel_rate_weight:+.3g} from "
             f"weights{across}.",
         ),
-        Difference(
+        ModelDifference(
             "damping at the wheel",
             "N*s/m",
             found.wheel_damping,
             damping,
             "Damper's coefficient times its motion ratio squared.",
         ),
-        Difference(
+        ModelDifference(
             "sprung mass",
             "kg",
             sprung,
             lumped.sprung.mass,
             f"Body of {found.body_mass:.4g} kg and, by the law of the lever, the inner part of each arm.",
         ),
-        Difference(
+        ModelDifference(
             "unsprung mass", "kg", unsprung, lumped.unsprung.mass, f"Share that rises with the wheel: {shares}."
         ),
-        Difference(
+        ModelDifference(
             "inertance between body and wheel",
             "kg",
             found.inertance,
@@ -285,15 +287,15 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
     return (*rows, *_mode_rows(modes(without_friction(spatial)), modes(without_friction(lumped))))
 
 
-def _damper_row(found: Lumping, ratio: float) -> list[Difference]:
+def _damper_row(found: Lumping, ratio: float) -> list[ModelDifference]:
     """Motion ratio of a damper that does not stand on the spring's line."""
     if abs(found.damper_ratio - found.motion_ratio) < _SAME_LINE:
         return []
     why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
-    return [Difference("motion ratio of the damper at rest", "1", found.damper_ratio, ratio, why)]
+    return [ModelDifference("motion ratio of the damper at rest", "1", found.damper_ratio, ratio, why)]
 
 
-def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[Difference]:
+def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[ModelDifference]:
     """Modes of both, the slow one first; those that do not oscillate are missing."""
     why = "Follows from the rates, damping, masses and inertance above."
     rows = []
@@ -303,8 +305,8 @@ def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[Diff
             continue
         frequencies = None if one is None else one.frequency_hz, None if other is None else other.frequency_hz
         ratios = None if one is None else one.damping_ratio, None if other is None else other.damping_ratio
-        rows.append(Difference(f"{name}, natural frequency", "Hz", *frequencies, why))
-        rows.append(Difference(f"{name}, damping ratio", "1", *ratios, why))
+        rows.append(ModelDifference(f"{name}, natural frequency", "Hz", *frequencies, why))
+        rows.append(ModelDifference(f"{name}, damping ratio", "1", *ratios, why))
     return rows
 
 

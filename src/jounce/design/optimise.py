@@ -36,7 +36,7 @@ _FINE = 1e-14
 
 
 @dataclass(frozen=True)
-class Search:
+class SearchResult:
     """Where a search ended: values (SI), objective, largest broken share of a limit (1), iterations.
 
     ``settled`` tells whether nothing better is near where slopes do not tell: percentiles have kinks.
@@ -88,7 +88,7 @@ class Scale:
         return np.asarray(np.where(self.is_log, logarithmic, (values - self.lower) / (self.upper - self.lower)))
 
 
-class _Task:
+class _SlsqpProblem:
     """What SLSQP sees: scaled numbers, then one bound for each metric whose worst corner counts."""
 
     def __init__(self, problem: DesignProblem) -> None:
@@ -138,7 +138,7 @@ class _Task:
 
 def search(
     problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Array | None = None, precision: float = _FINE
-) -> Search:
+) -> SearchResult:
     """Search from the rig's own values (or ``begin``, SI) and from further points; the best that keeps the limits.
 
     It ends when the objective changes by less than ``precision`` (1) between steps.
@@ -162,7 +162,7 @@ def search(
 _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
 
 
-def _settled(problem: DesignProblem, found: Search) -> Search:
+def _settled(problem: DesignProblem, found: SearchResult) -> SearchResult:
     """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
     from scipy.optimize import minimize
 
@@ -182,14 +182,14 @@ def _settled(problem: DesignProblem, found: Search) -> Search:
     objective, violation = problem.objective(values)[0], violation_of(problem, values)
     iterations = found.iterations + int(result.nfev)
     if objective < found.objective and violation <= max(found.violation, _KEPT):
-        return Search(values, objective, violation, iterations, bool(result.success))
-    return Search(found.values, found.objective, found.violation, iterations, bool(result.success))
+        return SearchResult(values, objective, violation, iterations, bool(result.success))
+    return SearchResult(found.values, found.objective, found.violation, iterations, bool(result.success))
 
 
-def _one(problem: DesignProblem, begin: Array, precision: float) -> Search:
+def _one(problem: DesignProblem, begin: Array, precision: float) -> SearchResult:
     from scipy.optimize import minimize
 
-    task = _Task(problem)
+    task = _SlsqpProblem(problem)
     z = task.begin(begin)
     constraints: list[dict[str, Any]] = []
     if problem.limits or task.worst:
@@ -206,7 +206,7 @@ def _one(problem: DesignProblem, begin: Array, precision: float) -> Search:
         if is_optimal(problem, task.scale.values(z[: task.count])).holds:
             break
     values = task.scale.values(z[: task.count])
-    return Search(values, problem.objective(values)[0], violation_of(problem, values), iterations)
+    return SearchResult(values, problem.objective(values)[0], violation_of(problem, values), iterations)
 
 
 def violation_of(problem: DesignProblem, values: Array) -> float:
@@ -250,7 +250,7 @@ def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
     """Check the conditions of Karush, Kuhn and Tucker at some values (SI), in scaled numbers."""
     from scipy.optimize import nnls
 
-    task = _Task(problem)
+    task = _SlsqpProblem(problem)
     z = task.begin(values)
     _, slope = task.objective(z)
     margins, table = task.margins(z)
@@ -530,7 +530,7 @@ def task_of(
     )
 
 
-def check_kept(problem: DesignProblem, found: Search) -> None:
+def check_kept(problem: DesignProblem, found: SearchResult) -> None:
     """Refuse a search that ended where limits are broken: name the one broken most where all are broken least."""
     if found.violation <= _KEPT:
         return
@@ -551,7 +551,7 @@ def check_kept(problem: DesignProblem, found: Search) -> None:
     )
 
 
-def outcome(problem: DesignProblem, found: Search) -> Optimisation:
+def outcome(problem: DesignProblem, found: SearchResult) -> Optimisation:
     """Describe a design, how it compares with the start, and what holds it."""
     values = found.values
     conditions = is_optimal(problem, values)

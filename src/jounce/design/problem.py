@@ -21,7 +21,7 @@ from jounce.core.errors import DescriptionError, FitError, SimulationError, near
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.identify.fit_problem import Bounds, Free, free_parameters
+from jounce.identify.fit_problem import Bounds, FreeParameter, free_parameters
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
@@ -342,7 +342,7 @@ class DesignProblem:
     """
 
     rig: Rig
-    free: tuple[Free, ...]
+    free: tuple[FreeParameter, ...]
     weights: dict[str, float]
     limits: tuple[Limit, ...]
     evaluator: Evaluator | Judge
@@ -457,7 +457,7 @@ def design_problem(
     return problem
 
 
-def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[Free, ...]:
+def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[FreeParameter, ...]:
     """Read the free numbers, which the model depends on, with bounds that the description allows."""
     numbers = free_parameters(rig, {path: _relative(bounds) for path, bounds in free.items()}, where="free")
     _check_used(LinearFamily(rig, tuple(number.path for number in numbers)))
@@ -521,7 +521,7 @@ def _check_used(family: LinearFamily) -> None:
             )
 
 
-def _check_bounds(rig: Rig, numbers: Sequence[Free]) -> None:
+def _check_bounds(rig: Rig, numbers: Sequence[FreeParameter]) -> None:
     """Refuse bounds that the description does not allow."""
     for number in numbers:
         for value in (number.lower, number.upper):

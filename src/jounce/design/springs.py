@@ -29,7 +29,7 @@ from jounce.ride.closed_forms import (
 
 
 @dataclass(frozen=True)
-class Wheel:
+class WheelCarriage:
     """What one wheel carries, and where its spring and damper stand in the description, SI.
 
     ``place`` is ``front``, ``rear``, or empty for a quarter car; ``spring`` and ``damper`` are the paths of rate and
@@ -58,13 +58,13 @@ class Wheel:
         return LumpedCorner(self.sprung_mass, self.unsprung_mass, rates[0], self.tyre_stiffness, rates[1])
 
 
-def wheels_of(rig: Rig) -> tuple[Wheel, ...]:
+def wheels_of(rig: Rig) -> tuple[WheelCarriage, ...]:
     """Wheels of a quarter car, or one of each axle of a vehicle; refuses 3-D rigs and laws of more than one number."""
     if isinstance(rig, QuarterCar):
         tyre, ratio = rig.tyre, float(np.cos(rig.strut.angle))
         damper = _linear("strut.damper", rig.strut.damper)
         return (
-            Wheel(
+            WheelCarriage(
                 "", rig.sprung.mass, _rate("strut.spring", rig.strut.spring.rate), damper, ratio,
                 rig.unsprung.mass, tyre.stiffness, tyre.damping_coefficient,
             ),
@@ -81,17 +81,17 @@ def wheels_of(rig: Rig) -> tuple[Wheel, ...]:
     return tuple(_axle(rig, name, mass) for name, mass in zip(("front", "rear"), masses, strict=True))
 
 
-def _axle(rig: Rig, name: str, mass: float) -> Wheel:
+def _axle(rig: Rig, name: str, mass: float) -> WheelCarriage:
     axle: Any = getattr(rig, name)
     if isinstance(rig, HalfCar):
-        return Wheel(name, mass, f"{name}.spring_rate", f"{name}.damping_coefficient")
+        return WheelCarriage(name, mass, f"{name}.spring_rate", f"{name}.damping_coefficient")
     if axle.spring_rate is not None:
         spring = f"{name}.spring_rate"
     else:
         spring = _rate(f"{name}.spring", axle.spring.rate)
     damper = f"{name}.damping_coefficient" if axle.damper is None else _linear(f"{name}.damper", axle.damper)
     tyre = axle.tyre
-    return Wheel(name, mass, spring, damper, 1.0, axle.unsprung_mass, tyre.stiffness, tyre.damping_coefficient)
+    return WheelCarriage(name, mass, spring, damper, 1.0, axle.unsprung_mass, tyre.stiffness, tyre.damping_coefficient)
 
 
 def _rate(path: str, rate: float | None) -> str:
@@ -245,7 +245,7 @@ def design_springs(
     return SpringDesign(changed, tuple(found), with_tyre, tuple(_advice(rig, found)))
 
 
-def _each(value: Any, wheels: tuple[Wheel, ...], where: str) -> tuple[Any, ...]:
+def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[Any, ...]:
     """One value for each wheel."""
     if not isinstance(value, (tuple, list)):
         return (value,) * len(wheels)

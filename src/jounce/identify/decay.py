@@ -41,7 +41,7 @@ from jounce.identify.free_response import DecayParameters, alternating, decay_re
 from jounce.identify.motion import (
     MOTIONS,
     QUANTITIES,
-    Motion,
+    MeasuredMotion,
     MotionName,
     Quantity,
     in_motion,
@@ -999,7 +999,7 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
     return DecayPart(t, signal, peaks, values, r_squared(signal[early], residual), misfit, tuple(findings))
 
 
-def _inertia(mass: float | None, inertia: float | None, motion: Motion, quantity: Quantity, name: str) -> float:
+def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, quantity: Quantity, name: str) -> float:
     """The mass of a translation or the inertia of a rotation; the other one, and none, are refused."""
     given = {"mass": mass, "inertia": inertia}
     stated = given.pop(motion.inertia_word)

@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.types import Array
 from jounce.identify.discrepancy import Calibration
-from jounce.identify.fit_problem import FitTrial, Free, Residuals
+from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals
 from jounce.identify.log_density import Region
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import robust_covariance
@@ -36,7 +36,7 @@ class Basis:
     """
 
     trials: tuple[FitTrial, ...]
-    free: tuple[Free, ...]
+    free: tuple[FreeParameter, ...]
     calibration: Calibration | None
     covariance: Array
     values: Mapping[str, float] = field(default_factory=dict)

@@ -25,7 +25,7 @@ from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
 from jounce.identify.extended_rig import ExtendedRig, Nuisance, RideExtent
-from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
+from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
 from jounce.identify.settings import UpdateSettings
@@ -168,7 +168,7 @@ class Discrepancy(Shown):
 
 
 @dataclass(frozen=True)
-class _Block:
+class _ChannelResiduals:
     """One channel of one trial: residual and what each unknown would change of it, all SI; ``lag`` is one more."""
 
     channel: str
@@ -307,7 +307,7 @@ class CalibrationProblem:
     """The search: linearise, weigh, step."""
 
     def __init__(
-        self, trials: Sequence[FitTrial], free: Sequence[Free], settings: UpdateSettings, *,
+        self, trials: Sequence[FitTrial], free: Sequence[FreeParameter], settings: UpdateSettings, *,
         priors: Mapping[str, tuple[float, float]] | None = None, start: Mapping[str, float] | None = None,
         found_beside: Mapping[str, float] | None = None, richer: ExtendedRig | None = None,
     ) -> None:  # fmt: skip
@@ -398,7 +398,7 @@ class CalibrationProblem:
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
-    def residuals(self, state: _State, blocks: Sequence[_Block]) -> list[_Block]:
+    def residuals(self, state: _State, blocks: Sequence[_ChannelResiduals]) -> list[_ChannelResiduals]:
         """The same blocks with the residuals of another state: one run a trial, a fifth of what slopes take."""
         found, at = [], iter(blocks)
         for i, run in enumerate(self.runs):
@@ -412,7 +412,7 @@ class CalibrationProblem:
                 found.append(replace(next(at), residual=channel.measured - shifted[:, 0]))
         return found
 
-    def blocks(self, state: _State) -> tuple[list[_Block], list[States]]:
+    def blocks(self, state: _State) -> tuple[list[_ChannelResiduals], list[States]]:
         """Simulate all trials; give residuals with their slopes, and the states of each run."""
         found, states = [], []
         for i, run in enumerate(self.runs):
@@ -461,7 +461,7 @@ class CalibrationProblem:
     def _block(
         self, run: _Run, trial: int, channel: Channel, solution: Solution, slopes: Array,
         varied: dict[str, tuple[Solution, float]], state: _State,
-    ) -> _Block:  # fmt: skip
+    ) -> _ChannelResiduals:  # fmt: skip
         prepared, lag = run.prepared, float(state.lags[trial])
         table = self.read(prepared, channel, solution, state.xi)
         p, q = len(self.free), len(self.nuisances)
@@ -494,7 +494,7 @@ class CalibrationProblem:
         bias = f"{channel.name} bias"
         if bias in names and channel.datum != "free offset":
             common[:, names[bias]] = channel.seen(np.full(len(table), self.nuisances[self.place[bias]].deviation))
-        return _Block(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
+        return _ChannelResiduals(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
 
     def read(self, prepared: Prepared, channel: Channel, solution: Solution, xi: Array) -> Array:
         """Reading of a channel, and its derivatives, through its sensor as it may be."""
@@ -514,7 +514,7 @@ class CalibrationProblem:
 
     # from blocks to a step ------------------------------------------------------------------------------------------
 
-    def system(self, blocks: Sequence[_Block], state: _State) -> _System:
+    def system(self, blocks: Sequence[_ChannelResiduals], state: _State) -> _System:
         """Lay the blocks out for steps: lags taken out, or held where they are not fitted."""
         p, q, trials = len(self.free), len(self.nuisances), len(self.runs)
         own = len(self.own) + (0 if self.align else 1)
@@ -569,7 +569,7 @@ class CalibrationProblem:
         unsure = np.array([_LAG_UNSURE / run.prepared.rate for run in self.runs])
         return np.column_stack([state.own, state.lags / unsure])
 
-    def moved(self, state: _State, step: Array, blocks: Sequence[_Block], share: float) -> _State:
+    def moved(self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float) -> _State:
         """The state after a share of a step; lags follow."""
         p, q = len(self.free), len(self.nuisances)
         theta, xi = state.theta + share * step[:p], state.xi + share * step[p : p + q]
@@ -692,7 +692,7 @@ class Calibration:
 
     one: CalibrationProblem
     state: _State
-    blocks: list[_Block]
+    blocks: list[_ChannelResiduals]
     states: list[States]
     system: _System
     step: _Step
@@ -716,7 +716,7 @@ class Calibration:
 
 def calibrate(
     trials: Sequence[FitTrial],
-    free: Sequence[Free],
+    free: Sequence[FreeParameter],
     start: Mapping[str, float],
     settings: UpdateSettings,
     *,
@@ -738,7 +738,7 @@ def calibrate(
         np.zeros((len(trials), len(one.own))),
         np.array([lags.get(trial.name, 0.0) for trial in trials]),
     )
-    place = _Place.of(one, state)
+    place = _SearchPoint.of(one, state)
     first = _mean_squares(place.blocks)
     best = _settled(one, place)
     if best.rest_of(first) > _POOR:
@@ -765,16 +765,16 @@ def _share_left(found: _Step, first: Mapping[str, float], without: float = 0.0) 
 
 
 @dataclass(frozen=True)
-class _Place:
+class _SearchPoint:
     """A state of the search with what is left there."""
 
     one: CalibrationProblem
     state: _State
-    blocks: list[_Block]
+    blocks: list[_ChannelResiduals]
     states: list[States]
 
     @classmethod
-    def of(cls, one: CalibrationProblem, state: _State) -> _Place:
+    def of(cls, one: CalibrationProblem, state: _State) -> _SearchPoint:
         """Simulate all trials."""
         return cls(one, state, *one.blocks(state))
 
@@ -800,13 +800,13 @@ class _Place:
         """Share (1) of the mean squares ``first`` that is left and no noise, each channel over its noise."""
         return _share_left(self.step, first, 1.0)
 
-    def after(self, step: Array) -> _Place:
+    def after(self, step: Array) -> _SearchPoint:
         """The place a step away, or as much of it as doubts may move at once and as can be simulated."""
         p = len(self.one.free)
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
             try:
-                return _Place.of(self.one, self.one.moved(self.state, step, self.blocks, share))
+                return _SearchPoint.of(self.one, self.one.moved(self.state, step, self.blocks, share))
             except SimulationError as error:
                 share, last = 0.5 * share, error
         raise last
@@ -816,7 +816,7 @@ _LONGEST = 3.0  # prior standard deviations that a step may go
 _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
-def _settled(one: CalibrationProblem, place: _Place) -> _Place:
+def _settled(one: CalibrationProblem, place: _SearchPoint) -> _SearchPoint:
     """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
     p, best = len(one.free), place
     for _ in range(_ROUNDS):
@@ -834,7 +834,7 @@ def _settled(one: CalibrationProblem, place: _Place) -> _Place:
 _RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
 
 
-def _elsewhere(one: CalibrationProblem, place: _Place) -> list[Array]:
+def _elsewhere(one: CalibrationProblem, place: _SearchPoint) -> list[Array]:
     """Steps to where a search may end better: all doubts set free, and the group that would explain most if it were.
 
     What nothing explains weakens the data, so that doubts stay with their priors and go on explaining nothing.
@@ -846,7 +846,7 @@ def _elsewhere(one: CalibrationProblem, place: _Place) -> list[Array]:
     return [place.system.solved(np.where(doubts, _FREER * prior, prior)).step, best.step]
 
 
-def _mean_squares(blocks: Sequence[_Block]) -> dict[str, float]:
+def _mean_squares(blocks: Sequence[_ChannelResiduals]) -> dict[str, float]:
     """Mean square of the residuals of each channel."""
     found: dict[str, list[float]] = {}
     for block in blocks:

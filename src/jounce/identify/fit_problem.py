@@ -95,7 +95,7 @@ class FitTrial(Shown):
 
 
 @dataclass(frozen=True)
-class Free:
+class FreeParameter:
     """One free parameter: its path, start value and bounds, SI."""
 
     path: str
@@ -126,7 +126,7 @@ class Unknown(Protocol):
         ...
 
     @property
-    def free(self) -> Free:
+    def free(self) -> FreeParameter:
         """Its start and bounds."""
         ...
 
@@ -281,7 +281,7 @@ class UpdateProblem:
     def __init__(
         self,
         trials: Sequence[FitTrial],
-        free: Sequence[Free],
+        free: Sequence[FreeParameter],
         settings: UpdateSettings,
         nuisances: Sequence[Unknown] = (),
     ) -> None:
@@ -468,7 +468,7 @@ class Simulated:
         return {name: np.interp(at, times, one) for name, one in zip(names, self.solution.outputs, strict=True)}
 
 
-def prepare_trial(trial: FitTrial, free: Sequence[Free], settings: UpdateSettings) -> Prepared:
+def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings) -> Prepared:
     """Compile a trial's model with the free parameters and get its channels ready; refuse what cannot be compared."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
@@ -581,7 +581,7 @@ def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> f
 Bounds = str | float | Sequence[str | float]
 
 
-def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") -> tuple[Free, ...]:
+def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") -> tuple[FreeParameter, ...]:
     """Read the free parameters and their bounds against a rig's values, SI; bounds must not exclude the start."""
     check_free(rig, free, where=where)
     values = rig.parameters()
@@ -597,7 +597,7 @@ def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") ->
                 allowed=f"{lower:g} to {upper:g}",
                 hint="Move the bounds or the start value.",
             )
-        found.append(Free(path, initial, lower, upper))
+        found.append(FreeParameter(path, initial, lower, upper))
     return tuple(found)
 
 

@@ -15,7 +15,7 @@ from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
-from jounce.identify.motion import MOTIONS, Motion, MotionName, spoken
+from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, spoken
 from jounce.identify.signals import zigzag
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
@@ -103,7 +103,7 @@ class SeatedTrial:
     force: Array
     turn: int
     zero: tuple[float, float]
-    motion: Motion
+    motion: MeasuredMotion
 
     def branch(self, which: Branch) -> tuple[Array, Array]:
         """Deflection [m or rad] and force [N or N m] of the loading, the unloading or both branches, in time."""
@@ -207,7 +207,7 @@ def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tu
 
 
 def _first_contact(
-    deflection: Array, force: Array, motion: Motion, name: str, findings: list[Finding]
+    deflection: Array, force: Array, motion: MeasuredMotion, name: str, findings: list[Finding]
 ) -> tuple[float, float, int]:
     turn = int(np.argmax(deflection))
     largest = float(np.abs(force).max())

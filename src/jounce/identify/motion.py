@@ -14,7 +14,7 @@ Quantity = Literal[
 
 
 @dataclass(frozen=True)
-class Motion:
+class MeasuredMotion:
     """What a motion is told in: its quantities from the deflection to its second derivative, and units (SI).
 
     ``..._word`` are what the numbers are called, ``pushed`` and ``pulled`` the sides of a deflection, which times
@@ -60,16 +60,16 @@ def spoken(unit: str) -> str:
     return unit.replace("*", " ")
 
 
-TRANSLATION = Motion(
+TRANSLATION = MeasuredMotion(
     "translation", ("displacement", "velocity", "acceleration"), ("m", "m/s", "m/s^2"),
     "mass", "kg", "deflection", "force", "N", "N/m", "N*s/m", "N*s^2/m^2", "compression", "tension", 1e3, "mm",
 )  # fmt: skip
-ROTATION = Motion(
+ROTATION = MeasuredMotion(
     "rotation", ("angle", "angular_velocity", "angular_acceleration"), ("rad", "rad/s", "rad/s^2"),
     "inertia", "kg*m^2", "angle", "torque", "N*m", "N*m/rad", "N*m*s/rad", "N*m*s^2/rad^2",
     "one direction", "the other", math.degrees(1.0), "deg",
 )  # fmt: skip
-MOTIONS: dict[MotionName, Motion] = {one.name: one for one in (TRANSLATION, ROTATION)}
+MOTIONS: dict[MotionName, MeasuredMotion] = {one.name: one for one in (TRANSLATION, ROTATION)}
 QUANTITIES: tuple[Quantity, ...] = (*TRANSLATION.quantities, *ROTATION.quantities)
 QUANTITY_OF_UNIT: dict[str, Quantity] = {
     unit: quantity
@@ -88,7 +88,7 @@ def in_motion(name: str) -> Callable[[Any], str]:
     return look_up
 
 
-def motion_of(quantity: Quantity) -> Motion:
+def motion_of(quantity: Quantity) -> MeasuredMotion:
     """Give the motion that a quantity is one of.
 
     >>> motion_of("angle").name

@@ -14,7 +14,7 @@ import numpy as np
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.units import to_si
-from jounce.identify.fit_problem import FitTrial, Free
+from jounce.identify.fit_problem import FitTrial, FreeParameter
 from jounce.recordings.sensors import Sensor
 
 SPEED, LOW_PASS = "speed", ".low_pass"
@@ -36,7 +36,7 @@ class SearchedNuisance:
     """
 
     name: str
-    free: Free
+    free: FreeParameter
 
     @property
     def unit(self) -> str:
@@ -83,7 +83,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
             if not speeds:
                 raise FitError("no trial has a speed", where=place, hint="Leave it out.")
             lower, upper = _speeds(bounds, speeds[0], place)
-            found.append(SearchedNuisance(name, Free(name, speeds[0], lower, upper)))
+            found.append(SearchedNuisance(name, FreeParameter(name, speeds[0], lower, upper)))
             continue
         channel = name.removesuffix(LOW_PASS)
         if not name.endswith(LOW_PASS) or channel not in channels:
@@ -95,7 +95,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
         if not 0.0 < low < high:
             allowed = f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
-        found.append(SearchedNuisance(name, Free(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
+        found.append(SearchedNuisance(name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
     return tuple(found)
 
 

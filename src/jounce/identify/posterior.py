@@ -27,9 +27,9 @@ from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import FEWEST_TRIALS, noise_variance, readings_of
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
-from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
 from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
-from jounce.identify.prediction import RICHER, Band, bands_of
+from jounce.identify.prediction import RICHER, PredictionBand, bands_of
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import UpdateResult, bounds_and_priors, run_update
 from jounce.parts.rig import shown_unit_of
@@ -97,7 +97,7 @@ class PosteriorParameter(Shown):
 
 
 @dataclass(frozen=True)
-class Profile(Shown):
+class LikelihoodProfile(Shown):
     """Log likelihood over one parameter with all others as they fit best there, 0 at its top.
 
     Attributes
@@ -173,8 +173,8 @@ class Posterior(Plain, Shown):
     counted: str
     parameters: dict[str, PosteriorParameter]
     correlation: tuple[tuple[float, ...], ...]
-    profiles: dict[str, Profile]
-    predictions: dict[str, dict[str, Band]]
+    profiles: dict[str, LikelihoodProfile]
+    predictions: dict[str, dict[str, PredictionBand]]
     draws: int
     chains: int
     accepted: float
@@ -401,7 +401,7 @@ def posterior_of(
             raise FitError(
                 "the bounds exclude the estimate", where=path, found=value, allowed=f"{lower:g} to {upper:g}"
             )
-        limits.append(Free(path, value, lower, upper))
+        limits.append(FreeParameter(path, value, lower, upper))
     if not limits:
         raise FitError("no free parameter", where=name)
     density = NoiseDensity(
@@ -417,7 +417,7 @@ class _Given:
     """Residuals of a function of values."""
 
     function: Callable[[Array], tuple[Array, Array]]
-    free: tuple[Free, ...]
+    free: tuple[FreeParameter, ...]
 
     def residuals(self, scaled: Array) -> Residuals:
         """Residuals with their derivatives by scaled unknowns."""
@@ -459,8 +459,8 @@ def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Array], flo
 
 
 def _told(
-    name: str, density: NoiseDensity | DoubtDensity, table: LogDensity, free: Sequence[Free], units: Mapping[str, str],
-    draws: int, seed: int, update: UpdateResult | None,
+    name: str, density: NoiseDensity | DoubtDensity, table: LogDensity, free: Sequence[FreeParameter],
+    units: Mapping[str, str], draws: int, seed: int, update: UpdateResult | None,
 ) -> Posterior:  # fmt: skip
     """Sample and describe a density."""
     import xarray as xr
@@ -482,7 +482,7 @@ def _told(
     profiles, parameters = {}, {}
     for i, item in enumerate(free):
         scaled, height = profile(table, i)
-        profiles[item.path] = Profile(item.value(0.0) + item.half_range * scaled, height)
+        profiles[item.path] = LikelihoodProfile(item.value(0.0) + item.half_range * scaled, height)
         error = float(errors[i]) * item.half_range
         value = item.value(float(table.region.centre[i]))
         gaussian: tuple[float, float] | None = (value - 1.96 * error, value + 1.96 * error)
@@ -511,7 +511,7 @@ def _told(
     )  # fmt: skip
 
 
-def _readings(density: DoubtDensity, x: Array, free: Sequence[Free], seed: int) -> dict[str, Array]:
+def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], seed: int) -> dict[str, Array]:
     """Draws of what a test machine gives of each part, and of the model's law over the ride, SI.
 
     The unexplained rest is known from as many trials only: deviations have the tails of Student's t distribution.
@@ -536,7 +536,7 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[Free], seed: int) 
 
 
 def _weak(
-    parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[Free], counted: str
+    parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[FreeParameter], counted: str
 ) -> list[Finding]:
     found = []
     if error > _ERROR:
@@ -562,7 +562,7 @@ def _weak(
     return found
 
 
-def _missed(found: Posterior, predictions: Mapping[str, Mapping[str, Band]]) -> list[Finding]:
+def _missed(found: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
     """Say where much lies outside of what was predicted."""
     every = [(band.inside, f"{t}, {c}") for t, channels in predictions.items() for c, band in channels.items()]
     missed = sorted(one for one in every if one[0] < _LITTLE)

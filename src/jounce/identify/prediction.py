@@ -12,7 +12,7 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import extended_runs
-from jounce.identify.fit_problem import Channel, FitTrial, Free, prepare_trial
+from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, prepare_trial
 from jounce.identify.lags import Shifted, best_lag
 from jounce.identify.settings import UpdateSettings
 from jounce.recordings import estimate_lag
@@ -30,7 +30,7 @@ _AROUND = 0.05  # s over which the level of a signal is taken
 
 
 @dataclass(frozen=True)
-class Band(Shown):
+class PredictionBand(Shown):
     """What is predicted of one channel of one trial, and what was measured; SI.
 
     Attributes
@@ -69,7 +69,7 @@ class Band(Shown):
 def bands_of(
     density: NoiseDensity | DoubtDensity, basis: Basis, samples: xr.Dataset, trials: Sequence[FitTrial],
     count: int, seed: int,
-) -> dict[str, dict[str, Band]]:  # fmt: skip
+) -> dict[str, dict[str, PredictionBand]]:  # fmt: skip
     """Predict every channel of some trials, with ``count`` draws each."""
     free = basis.free
     by = RICHER if isinstance(density, DoubtDensity) else ""
@@ -83,7 +83,7 @@ def bands_of(
     else:
         curves = [_plain(trial, free, law, basis.settings) for trial in trials]
     noise, rest = _levels(basis, density)
-    bands: dict[str, dict[str, Band]] = {}
+    bands: dict[str, dict[str, PredictionBand]] = {}
     for trial, channels in zip(trials, curves, strict=True):
         time = trial.measured["time"].to_numpy()
         for channel, simulated, unit in channels:
@@ -92,7 +92,7 @@ def bands_of(
             level = _moving(mean - mean[0], time)
             whole = np.sqrt(spread**2 + noise.get(name, 0.0) ** 2 + rest.get(name, 0.0) * level**2)
             inside = float(np.mean(np.abs(measured - mean) <= _TWO_SIDED * whole))
-            band = Band(time, measured, mean, spread, whole, inside, trial.name in fitted, unit)
+            band = PredictionBand(time, measured, mean, spread, whole, inside, trial.name in fitted, unit)
             bands.setdefault(trial.name, {})[name] = band
     return bands
 
@@ -101,7 +101,7 @@ _Curves = list[tuple[Channel, Array, str]]
 """Channels, what was simulated of each for every draw (draws, samples), and units."""
 
 
-def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: UpdateSettings) -> _Curves:
+def _plain(trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings: UpdateSettings) -> _Curves:
     """Simulate a trial for each draw."""
     prepared = prepare_trial(trial, free, settings)
     names = prepared.compiled.facts.parameters

@@ -29,7 +29,7 @@ class Optimum:
 
 
 @dataclass(frozen=True)
-class Search:
+class SearchOutcome:
     """The best place, other ones by what they leave, number of starts, and whether two of them led to the best."""
 
     best: Optimum
@@ -38,7 +38,7 @@ class Search:
     is_confirmed: bool
 
 
-def searched(problem: UpdateProblem, start: Array, method: str, seed: int, *, starts: int | None) -> Search:
+def searched(problem: UpdateProblem, start: Array, method: str, seed: int, *, starts: int | None) -> SearchOutcome:
     """Search from ``start`` (scaled) and from Latin-hypercube points within the bounds.
 
     ``starts`` is their number in all. Without one there are at least `_FEWEST`, and as many as it takes until two have
@@ -46,7 +46,7 @@ def searched(problem: UpdateProblem, start: Array, method: str, seed: int, *, st
     its end where it may be better.
     """
     if starts == 1:
-        return Search(minimise(problem, start, method), (), 1, is_confirmed=True)
+        return SearchOutcome(minimise(problem, start, method), (), 1, is_confirmed=True)
     if starts is None:
         return _until_two_agree(problem, start, method, seed)
     points = [start, *_spread(problem.size, starts - 1, seed)]
@@ -54,7 +54,7 @@ def searched(problem: UpdateProblem, start: Array, method: str, seed: int, *, st
         ends = sorted((end for _, end in _rough_ends(problem, points[1:])), key=lambda end: end.objective)
         points = [start, *(end.scaled for end in _each_once(ends)[:_FINISHED])]
     ends = sorted((minimise(problem, point, method) for point in points), key=lambda end: end.objective)
-    return Search(ends[0], tuple(_each_once(ends)[1:]), starts, is_confirmed=True)
+    return SearchOutcome(ends[0], tuple(_each_once(ends)[1:]), starts, is_confirmed=True)
 
 
 _MANY, _FINISHED = 12, 4  # starts from which on they are sifted, and how many of the best are searched to their end
@@ -67,7 +67,7 @@ _AS_GOOD = 1.05  # times the objective of the best, both roughly: a search that 
 _COARSE, _LOOSE = 1e-5, 0.03  # relative error of displacements, and of the objective, while going down roughly
 
 
-def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: int) -> Search:
+def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: int) -> SearchOutcome:
     best, others, found = minimise(problem, start, method), list[Optimum](), 1
     tried = 1
     for rough, end in _rough_ends(problem, _spread(problem.size, _MOST - 1, seed)):
@@ -85,7 +85,7 @@ def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: in
         if tried >= _FEWEST and found > 1:
             break
     apart = [end for end in _each_once(sorted(others, key=lambda end: end.objective)) if not _is_near(end, best)]
-    return Search(best, tuple(apart), tried, is_confirmed=found > 1)
+    return SearchOutcome(best, tuple(apart), tried, is_confirmed=found > 1)
 
 
 def _spread(size: int, count: int, seed: int) -> list[Array]:

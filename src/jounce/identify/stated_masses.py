@@ -11,7 +11,7 @@ from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate
-from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
+from jounce.identify.fit_problem import FitTrial, FreeParameter, UpdateProblem
 from jounce.parts import Rig, Vehicle
 from jounce.recordings.schema import channel_unit
 from jounce.simulation.compiled import compile_rig
@@ -81,7 +81,7 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     masses = stated_masses(rig, [one.path for one in problem.free])
     if len(masses) < 2:
         return []
-    more = [Free(path, mass, (1.0 - _RANGE) * mass, (1.0 + _RANGE) * mass) for path, mass in masses.items()]
+    more = [FreeParameter(path, mass, (1.0 - _RANGE) * mass, (1.0 + _RANGE) * mass) for path, mass in masses.items()]
     count = len(problem.free)
     wider = UpdateProblem(
         [one.source for one in problem.trials],

@@ -36,7 +36,7 @@ from jounce.identify.force_deflection import (
     renamed,
     seat,
 )
-from jounce.identify.motion import MOTIONS, Motion, MotionName, in_motion, spoken
+from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, in_motion, spoken
 
 # force laws -----------------------------------------------------------------------------------------------------------
 
@@ -481,7 +481,7 @@ def fit_stiffness(
     )
 
 
-def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> Motion:
+def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> MeasuredMotion:
     """What all trials are of: forces over deflections, or torques over angles."""
     if not trials:
         raise FitError("no trials to fit", allowed="at least one force-deflection trial")
@@ -494,7 +494,7 @@ def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> Motion:
 
 
 def _check(
-    motion: Motion,
+    motion: MeasuredMotion,
     law: str,
     degree: int,
     discard_below: float,
@@ -587,7 +587,7 @@ _DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
 
 
 def _with_law(
-    stiffness: Estimate, x: Array, force: Array, at: float, degree: int, motion: Motion
+    stiffness: Estimate, x: Array, force: Array, at: float, degree: int, motion: MeasuredMotion
 ) -> tuple[Estimate, list[Finding]]:
     """The tangent at ``at`` (SI) with an interval that counts the choice of the law, and what is told of it.
 
@@ -640,7 +640,7 @@ def _operating_point(
     curve: FittedCurve,
     force: float,
     fitted: tuple[float, float],
-    motion: Motion,
+    motion: MeasuredMotion,
     findings: list[Finding],
 ) -> tuple[float | None, Estimate | None]:
     """Deflection at which the trials carry ``force``, and the slope measured there."""
@@ -688,7 +688,7 @@ def _advice(
     law: Law,
     preload: Estimate | None,
     rows: Sequence[TrialStiffness],
-    motion: Motion,
+    motion: MeasuredMotion,
 ) -> list[Finding]:
     """Findings about the fit; ``preload`` is the intercept where it is kept."""
     findings: list[Finding] = []
@@ -759,7 +759,7 @@ _SPRINGS: dict[str, tuple[float, float, str]] = {
 """Softer and stiffer (SI) is none; the stiffest frames are twisted by 1 degree with 50 kN m, which is 3e6 N m/rad."""
 
 
-def _no_spring(rate: float, motion: Motion) -> list[Finding]:
+def _no_spring(rate: float, motion: MeasuredMotion) -> list[Finding]:
     least, most, what = _SPRINGS[motion.name]
     if least <= rate <= most:
         return []

@@ -31,7 +31,7 @@ _MATTERS = 1e-4  # of the energy of the records: less is not worth a word
 
 
 @dataclass(frozen=True)
-class Rest:
+class WeightedResiduals:
     """Weighted residuals of all trials at the optimum, and their derivatives by all that was fitted, a column each.
 
     ``readings`` are rows, weight, simulated reading, sample rate (Hz) of a channel in each trial, with whether a
@@ -88,7 +88,7 @@ class Rest:
         return self.jacobian.T @ self.jacobian, self.jacobian.T @ self.vector, self.size
 
 
-def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
+def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
     """The corner (Hz) of a low pass that would explain most of what is left of a channel, better than a delay does."""
     if rest.size < _MATTERS * rest.energy:
         return None
@@ -108,7 +108,7 @@ def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
     return share, Finding(channel, "warning", text, float(corner))
 
 
-def high_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
+def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
     """The corner (Hz) of a high pass that would explain most of what is left of a channel."""
     if rest.size < _MATTERS * rest.energy:
         return None
@@ -124,7 +124,7 @@ def high_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
     return share, Finding(channel, "warning", text, float(corner))
 
 
-def _best_corner(rest: Rest, channel: str, kind: str, corners: Array) -> tuple[float, float]:
+def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Array) -> tuple[float, float]:
     """Corner (Hz) of a filter of this kind that leaves least, and what it leaves."""
 
     def left(corner: float) -> float:
@@ -139,7 +139,7 @@ def _best_corner(rest: Rest, channel: str, kind: str, corners: Array) -> tuple[f
     return best, found[best]
 
 
-def late_share(rest: Rest) -> float:
+def late_share(rest: WeightedResiduals) -> float:
     """Share of what is left that one delay of all records explains: a clock is likelier than what explains no more."""
     rate = min(one[3] for channel in rest.readings.values() for one in channel)
 
@@ -152,7 +152,7 @@ def late_share(rest: Rest) -> float:
     return 1.0 - min(coarse[best], *near) / rest.size
 
 
-def _changed(rest: Rest, channels: Iterable[str], change: Any) -> float:
+def _changed(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
     """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
     changes = []
     for rows, weight, reading, rate, is_free in (one for channel in channels for one in rest.readings[channel]):
@@ -163,11 +163,11 @@ def _changed(rest: Rest, channels: Iterable[str], change: Any) -> float:
     return rest.after(changes)
 
 
-def _delayed(rest: Rest, channel: str, delay: float) -> float:
+def _delayed(rest: WeightedResiduals, channel: str, delay: float) -> float:
     return _changed(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
 
 
-def speed_in(rest: Rest, slope: Array) -> tuple[float, Finding] | None:
+def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:
     """The error of the speed that would explain most of what is left; ``slope`` is that by its logarithm."""
     error, share = rest.explained_by(slope)
     if share < _EXPLAINS or abs(error) < _SLIGHT:
@@ -180,7 +180,9 @@ def speed_in(rest: Rest, slope: Array) -> tuple[float, Finding] | None:
     return share, Finding(SPEED, "warning", text, error)
 
 
-def road_in(rest: Rest, channel: str, roads: Sequence[tuple[slice, Array]]) -> tuple[float, Finding] | None:
+def road_in(
+    rest: WeightedResiduals, channel: str, roads: Sequence[tuple[slice, Array]]
+) -> tuple[float, Finding] | None:
     """Tell whether a channel counts from the road instead of the ground; ``roads`` are heights (m) in its rows."""
     best, at = (0.0, 0.0), 0.0
     rate = rest.rate_of(channel)
@@ -220,7 +222,7 @@ def suspects(
             read = channel.measured - residuals.vector[block] / channel.weight
             one = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
             readings.setdefault(channel.name, []).append(one)
-    rest = Rest(residuals.vector, whole, readings, problem.data_energy)
+    rest = WeightedResiduals(residuals.vector, whole, readings, problem.data_energy)
     freed = {one.name for one in problem.nuisances}
     passes = [(channel.name, channel.sensor) for _, channel in both if channel.sensor is not None]
     low = {name for name, sensor in passes if sensor.low_pass is not None} | {f.removesuffix(LOW_PASS) for f in freed}

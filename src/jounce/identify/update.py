@@ -18,10 +18,10 @@ from jounce.identify.datum import with_datums
 from jounce.identify.discrepancy import FEWEST_TRIALS, Calibration, Discrepancy, calibrate, reported
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
-from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.identify.nuisances import SPEED, SearchedNuisance, nuisances_of
-from jounce.identify.search import SAME_PLACE, Optimum, Search, searched
+from jounce.identify.search import SAME_PLACE, Optimum, SearchOutcome, searched
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
 from jounce.identify.suspects import CLEARLY, suspects
@@ -542,7 +542,7 @@ def bounds_and_priors(
 
 def _with_doubt(
     trials: Sequence[FitTrial],
-    free: Sequence[Free],
+    free: Sequence[FreeParameter],
     values: Mapping[str, float],
     settings: UpdateSettings,
     lags: Mapping[str, float],
@@ -584,7 +584,7 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
     return [Finding(name, "warning", text, optimum.objective)]
 
 
-def _other_minima(name: str, problem: UpdateProblem, search: Search) -> list[Finding]:
+def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> list[Finding]:
     """Say where else the search ended, and that it nearly was the answer where it fits nearly as well."""
     best, findings = search.best, []
     if not search.is_confirmed:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from jounce.core.types import Array
     from jounce.identify.posterior import Posterior
-    from jounce.identify.prediction import Band
+    from jounce.identify.prediction import PredictionBand
 
 _MOST_POINTS, _BINS = 4000, 60
 
@@ -197,7 +197,7 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
     return figure
 
 
-def _band(axes: Axes, band: Band, unit: DisplayUnit, less: Array) -> None:
+def _band(axes: Axes, band: PredictionBand, unit: DisplayUnit, less: Array) -> None:
     """Draw a band, its mean and the recording, all less a curve."""
     for whole, alpha, words in ((True, 0.22, "95 %, all that is counted"), (False, 0.5, "95 %, parameters")):
         low, high = (unit.factor * (end - less) for end in band.ends(whole=whole))

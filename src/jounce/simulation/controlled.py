@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator, AnyActuator
-from jounce.control.controller import CallbackController, Controller, Regulator, Setting, as_controller
+from jounce.control.controller import CallbackController, Controller, Regulator, RunSetting, as_controller
 from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
@@ -164,7 +164,7 @@ def _in_balance(loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequen
     still = compiled.inputs({name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks})
     law = loop.paced(find_equilibrium(compiled, p, still))
     assert isinstance(law.first, CallbackController)
-    setting = Setting(law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times)))
+    setting = RunSetting(law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times)))
     columns = np.array(_tracks(compiled, loop), dtype=np.int64) * compiled.facts.track_order
     return balanced_commands(law.first.regulator(setting), compiled, p, still, columns, law.first.place)[0]
 
@@ -285,7 +285,7 @@ class _Law:
     def _python(self) -> Feedback:
         loop, first = self._loop, self._loop.first
         assert isinstance(first, CallbackController)
-        setting = Setting(loop.controllers, loop.models, _units(self._compiled), self._instants, self._road)
+        setting = RunSetting(loop.controllers, loop.models, _units(self._compiled), self._instants, self._road)
         regulator = first.regulator(setting)
         loop.regulators[:] = [regulator]
         feedback: list[Feedback] = []

@@ -26,7 +26,7 @@ from jounce.control import (
     controller,
 )
 from jounce.control.actuators import Instant
-from jounce.control.controller import DamperLaw
+from jounce.control.controller import TwoStateLaw
 from jounce.control.design import H_INFINITY_CHANNELS, _least, corner_equations, corner_outputs
 from jounce.control.laws import LQG, SHADD, Groundhook, HInfinity, Hybrid, TwoStateGroundhook, TwoStateSkyhook
 from jounce.control.preview import PreviewMPC, _horizon, _of_actuator
@@ -270,7 +270,7 @@ def test_noise_by_channel_and_corner() -> None:
 def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(CONTROLS, "_rows", {**CONTROLS})
 
-    class PowerDriven(DamperLaw):
+    class PowerDriven(TwoStateLaw):
         """Firm where the spring gives energy to the body."""
 
         law: Literal["power-driven"] = "power-driven"
@@ -296,3 +296,11 @@ def test_the_least_bound_is_found_to_one_percent(least: float) -> None:
 
 def test_no_bound_is_infinite() -> None:
     assert _least(lambda _: None) == float("inf")
+
+
+def test_the_former_name_of_two_state_laws_warns():
+    with pytest.warns(DeprecationWarning, match="TwoStateLaw"):
+        from jounce.control.controller import DamperLaw
+    assert DamperLaw is TwoStateLaw
+    with pytest.raises(ImportError):
+        from jounce.control.controller import DamperLaws  # noqa: F401

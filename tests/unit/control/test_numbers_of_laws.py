@@ -13,7 +13,7 @@ from scipy.optimize import minimize, nnls
 
 from jounce.control import LQR, PID, ActiveActuator, CornerModel, SemiActiveDamper, Skyhook, controller
 from jounce.control.actuators import Instant
-from jounce.control.controller import Limits, Setting
+from jounce.control.controller import CommandLimits, RunSetting
 from jounce.control.design import (
     H_INFINITY_CHANNELS,
     Targets,
@@ -228,7 +228,7 @@ def test_limits_of_a_plan() -> None:
 
 def setting(law, road, instants=5):
     laws = {name: law.resolved(CORNER) for name in ("front", "rear")}
-    return Setting(laws, dict.fromkeys(laws, CORNER), (), instants, road)
+    return RunSetting(laws, dict.fromkeys(laws, CORNER), (), instants, road)
 
 
 def test_a_planner_gives_each_corner_its_own_channels_and_road() -> None:
@@ -271,7 +271,7 @@ def test_longest_plan(preview: float, steps: int, monkeypatch: pytest.MonkeyPatc
 def test_commands_are_clipped_then_limited_in_rate() -> None:
     slow = Skyhook(actuator=SemiActiveDamper(minimum=100.0, maximum=900.0, rate_limit=20e3), rate=100.0)
     free = Skyhook(actuator=ActiveActuator(force_limit=50.0), rate=100.0)
-    limits = Limits({"front": slow, "rear": free})
+    limits = CommandLimits({"front": slow, "rear": free})
     limits.start()
     turns = [limits.kept(list(pair)) for pair in ((5000.0, 70.0), (450.0, -70.0), (-3.0, 20.0), (math.nan, 0.0))]
     assert turns[:3] == [[300.0, 50.0], [450.0, -50.0], [250.0, 20.0]]

@@ -8,7 +8,7 @@ import pytest
 from scipy.optimize import minimize
 
 import jounce as jn
-from jounce.design.hardpoint_search import UNSETTLED, Search
+from jounce.design.hardpoint_search import UNSETTLED, HardpointSearch
 
 
 def test_the_numbers_of_every_search_are_a_design_of_its_own() -> None:
@@ -46,6 +46,6 @@ def test_a_search_rests_where_no_step_can_gain_whatever_its_method_claims(monkey
         return found
 
     monkeypatch.setattr("scipy.optimize.minimize", unsure)
-    place, _, why = Search.constrained(search, np.zeros(2))
+    place, _, why = HardpointSearch.constrained(search, np.zeros(2))
     assert place == pytest.approx([1.0, 0.35 - away])  # at a wall, and at the limit
     assert why == ended

@@ -12,7 +12,7 @@ from jounce.identify import discrepancy
 from jounce.identify.discrepancy import (
     CalibrationProblem,
     NuisanceEstimate,
-    _Block,
+    _ChannelResiduals,
     _contradictions,
     _findings,
     _freed,
@@ -20,8 +20,8 @@ from jounce.identify.discrepancy import (
     _law_estimate,
     _length,
     _mean_squares,
-    _Place,
     _Run,
+    _SearchPoint,
     _share_of_rest,
     _shares,
     _State,
@@ -163,7 +163,7 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
     for trial in (0, 1, 0):
         common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
         residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
-        blocks.append(_Block("az", trial, residual, common, own, lag))
+        blocks.append(_ChannelResiduals("az", trial, residual, common, own, lag))
     moved = CalibrationProblem.moved(one, state, step, blocks, share)
     np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
     np.testing.assert_allclose(moved.theta, [-2.0, 0.3 + 0.5 * share])
@@ -283,7 +283,7 @@ def test_a_step_that_cannot_be_simulated_is_halved() -> None:
         return share
 
     one = SimpleNamespace(moved=moved, blocks=blocks, free=["k"])
-    place = _Place(one, None, [], [])
+    place = _SearchPoint(one, None, [], [])
     after = place.after(np.array([50.0, 3.0 / 0.8]))  # doubts go three standard deviations at most, parameters as far
     assert (after.state, after.blocks, after.states) == (pytest.approx(0.2), ["blocks"], ["states"])
     assert tried == pytest.approx([0.8, 0.4, 0.2])
@@ -293,7 +293,7 @@ def test_a_step_that_cannot_be_simulated_is_halved() -> None:
 
 
 def test_mean_squares_are_those_of_each_channel() -> None:
-    blocks = [_Block(name, 0, np.full(count, size), *[np.zeros(0)] * 3)
+    blocks = [_ChannelResiduals(name, 0, np.full(count, size), *[np.zeros(0)] * 3)
               for name, count, size in (("a", 4, 1.0), ("b", 9, 3.0), ("a", 2, 2.0))]  # fmt: skip
     assert _mean_squares(blocks) == {"a": 2.5, "b": 9.0}
 

@@ -15,8 +15,8 @@ from jounce.identify import update
 from jounce.identify.datum import QuietStart, _quiet_start, start_findings
 from jounce.identify.discrepancy import _moved
 from jounce.identify.extended_rig import ONSET_VELOCITY, ExtendedRig, RideExtent, own_doubt
-from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
-from jounce.identify.search import Optimum, Search
+from jounce.identify.fit_problem import FreeParameter, _weight, check_free, free_parameters
+from jounce.identify.search import Optimum, SearchOutcome
 from jounce.identify.update import UpdatedParameter, bounds_and_priors, identifiability
 from jounce.simulation.compiled import compile_rig
 
@@ -76,7 +76,7 @@ def test_how_a_search_ended_is_told() -> None:
 def test_other_minima_are_told_and_how_near_they_come() -> None:
     rig = jn.load("kart-quarter-car")
     problem = SimpleNamespace(
-        free=(Free(RATE, 22.7e3, 20e3, 26e3), Free("tyre.stiffness", 130e3, 120e3, 140e3)),
+        free=(FreeParameter(RATE, 22.7e3, 20e3, 26e3), FreeParameter("tyre.stiffness", 130e3, 120e3, 140e3)),
         trials=[SimpleNamespace(source=SimpleNamespace(rig=rig))],
     )
 
@@ -84,11 +84,13 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
         return Optimum(np.array([0.0, place]), objective, 1, 1, converged=True)
 
     best = optimum(1.0, 0.2)
-    assert update._other_minima("u", problem, Search(best, (), 4, is_confirmed=True)) == []
-    (finding,) = update._other_minima("u", problem, Search(best, (), 8, is_confirmed=False))
+    assert update._other_minima("u", problem, SearchOutcome(best, (), 4, is_confirmed=True)) == []
+    (finding,) = update._other_minima("u", problem, SearchOutcome(best, (), 8, is_confirmed=False))
     assert (finding.severity, "none of 7 other start points" in finding.message) == ("warning", True)
     for objective, severity, told in ((1.4, "warning", "only 1.4 times"), (1.6, "note", "1.6 times as much left")):
-        (finding,) = update._other_minima("u", problem, Search(best, (optimum(objective, -0.5),), 4, is_confirmed=True))
+        (finding,) = update._other_minima(
+            "u", problem, SearchOutcome(best, (optimum(objective, -0.5),), 4, is_confirmed=True)
+        )
         assert finding.severity == severity
         assert "with tyre.stiffness 1.25e+05 N/m" in finding.message
         assert RATE not in finding.message
@@ -96,7 +98,7 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
 
 
 def test_start_values_that_differ_between_trials_are_told() -> None:
-    free = (Free("a", 2.0, 1.0, 3.0), Free("b", 2.0, 1.0, 3.0))
+    free = (FreeParameter("a", 2.0, 1.0, 3.0), FreeParameter("b", 2.0, 1.0, 3.0))
     trials = [SimpleNamespace(factors=np.array(each)) for each in ((1.0, 1.0), (1.0, 1.5), (1.0, 0.75))]
     (finding,) = update._common_factors(SimpleNamespace(free=free, trials=trials))
     assert (finding.place, finding.value) == ("b", 2.0)

@@ -23,7 +23,7 @@ import numpy as np
 from pydantic import BaseModel, model_validator
 
 from jounce.control.actuators import OWN, RATE, ActiveActuator
-from jounce.control.controller import CallbackController, Limits, Regulator, Setting
+from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
 from jounce.core.errors import DescriptionError, SimulationError, resource_error, unknown
@@ -136,7 +136,7 @@ class FmuControl(CallbackController):
             rate = 1.0 / (fixed * max(math.floor(1.0 / (rate * fixed) + _ROUND), 1))
         return BaseModel.model_copy(self, update={"rate": rate})  # its actuator may be resolved
 
-    def regulator(self, setting: Setting) -> Regulator:
+    def regulator(self, setting: RunSetting) -> Regulator:
         """Give what the loop calls."""
         return _FmuRegulator(self, setting)
 
@@ -159,7 +159,7 @@ class _Wires:
 
 
 @dataclass(frozen=True)
-class _Place:
+class _VariablePlace:
     """A variable, or an element of it, by the name that the user gave; no element of an array that is meant whole."""
 
     name: str
@@ -203,7 +203,7 @@ class _Connection:
 
     law: FmuControl
     component: FmuComponent
-    setting: Setting
+    setting: RunSetting
     findings: list[Finding] = field(default_factory=list)
 
     def wires(self) -> list[_Wires]:
@@ -240,7 +240,7 @@ class _Connection:
         known = {variable.name for variable in self.component.outputs}
         return names if self.law.output is None and corners != ("",) and known >= set(names.values()) else None
 
-    def _own_output(self) -> _Place:
+    def _own_output(self) -> _VariablePlace:
         outputs = self.component.outputs
         if self.law.output is None:
             for name in ("command", *(v.name for v in outputs if len(outputs) == 1)):
@@ -253,10 +253,10 @@ class _Connection:
             )
         return self._output(self.law.output, "")[0]
 
-    def _output(self, name: str, corner: str) -> tuple[_Place, str]:
+    def _output(self, name: str, corner: str) -> tuple[_VariablePlace, str]:
         return self._named(name, self.component.outputs, "output"), corner
 
-    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _Place:
+    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _VariablePlace:
         where = f"{self.component.path}"
         by_name = {v.name: v for v in variables}
         element = _ELEMENT.fullmatch(name)
@@ -285,9 +285,9 @@ class _Connection:
                 found=found.shape,
                 allowed=f"an element: {_elements(found)}" if found.is_number else ", ".join((*REALS, *WHOLE)),
             )
-        return _Place(name, found, at)
+        return _VariablePlace(name, found, at)
 
-    def _wired(self, corner: str, outputs: list[tuple[_Place, str]]) -> _Wires:
+    def _wired(self, corner: str, outputs: list[tuple[_VariablePlace, str]]) -> _Wires:
         component, channels = self.component, self.setting.units
         given = {name: self._channel(channel, corner) for name, channel in self.law.inputs.items()}
         places = [self._named(name, component.inputs, "input") for name in given]
@@ -295,10 +295,10 @@ class _Connection:
             channel = f"{corner}.{variable.name}" if corner else variable.name
             if variable.name not in given and channel in channels and variable.is_number and not variable.dimensions:
                 given[variable.name] = channel
-                places.append(_Place(variable.name, variable, 0))
+                places.append(_VariablePlace(variable.name, variable, 0))
         starts = self._starts(corner)
         self._tell_left(places)
-        inputs: list[tuple[_Place, str]] = []
+        inputs: list[tuple[_VariablePlace, str]] = []
         to_own: list[tuple[float, float]] = []
         wholes: dict[int, _Whole] = {}
         for place in sorted(places, key=lambda one: component.inputs.index(one.variable)):
@@ -326,7 +326,7 @@ class _Connection:
         )
 
     def _port(
-        self, place: _Place, starts: Mapping[str, tuple[FmuVariable, list[Any]]]
+        self, place: _VariablePlace, starts: Mapping[str, tuple[FmuVariable, list[Any]]]
     ) -> tuple[str, int, int, list[Any]]:
         """What the caller is told of a wire: all elements of an array are set together, so that it needs them all."""
         variable = place.variable
@@ -337,7 +337,7 @@ class _Connection:
             values = self._first(variable)
         return self._kind(variable), variable.reference, place.at or 0, values
 
-    def _tell_left(self, places: list[_Place]) -> None:
+    def _tell_left(self, places: list[_VariablePlace]) -> None:
         """Tell of inputs, and elements of them, that are neither connected nor set."""
         taken = {(place.variable.name, place.at or 0) for place in places}
         for name in self.law.parameters:
@@ -356,7 +356,7 @@ class _Connection:
             note = finding("control.inputs_left", str(self.component.path), inputs=", ".join(left))
             self.findings += [note] if note not in self.findings else []
 
-    def _check_counts(self, places: list[_Place]) -> None:
+    def _check_counts(self, places: list[_VariablePlace]) -> None:
         """Refuse counts of what is not connected, or takes all numbers."""
         wholes = [place.name for place in places if place.variable.is_whole and place.variable.kind != "Boolean"]
         for name in self.law.counts:
@@ -373,7 +373,7 @@ class _Connection:
             return variable.kind
         return "Int64" if self.component.version == 3 else "Integer"
 
-    def _conversion(self, place: _Place, si: str) -> tuple[float, float]:
+    def _conversion(self, place: _VariablePlace, si: str) -> tuple[float, float]:
         variable = place.variable
         if place.name in self.law.counts:
             where = f"control: counts: {place.name}"
@@ -543,7 +543,7 @@ def _is_text(value: str) -> bool:
 class _FmuRegulator:
     """Instances of an FMU as the loop calls them."""
 
-    def __init__(self, law: FmuControl, setting: Setting) -> None:
+    def __init__(self, law: FmuControl, setting: RunSetting) -> None:
         component = read_fmu(law.file)
         place = component.binary()
         connection = _Connection(law, component, setting)
@@ -585,18 +585,18 @@ class _FmuRegulator:
         self._before: list[float] = []
         self._to_own = _conversions([pair for one in wires for pair in one.to_own])
         self._to_si = _conversions([pair for one in wires for pair in one.to_si])
-        self._limits = Limits(setting.controllers)
+        self._limits = CommandLimits(setting.controllers)
         said = trust_said()
         self._told, self._is_trusted = told, law.trusted if said is None else said
         if law.trusted and said is False:
             self._notes.append(finding("control.not_trusted", self._file))
-        self._instances: _Asked | None = None
+        self._instances: _Instances | None = None
         self._instant = 0
 
     @property
     def findings(self) -> list[Finding]:
         """What is not connected or has no unit, and what the FMU wrote."""
-        written = self._instances.written() if isinstance(self._instances, _Child) else []
+        written = self._instances.written() if isinstance(self._instances, _FmuProcess) else []
         told = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
         if self._cut:
             told.append(finding("control.force_cut", self._file, instants=self._cut))
@@ -621,8 +621,8 @@ class _FmuRegulator:
         except caller.FmuFailedError as error:
             raise self._failed(error) from None
 
-    def _made(self) -> _Asked:
-        return caller.Instances(self._told) if self._is_trusted else _Child(self._told, whole=bool(self._tool))
+    def _made(self) -> _Instances:
+        return caller.Instances(self._told) if self._is_trusted else _FmuProcess(self._told, whole=bool(self._tool))
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
@@ -701,7 +701,7 @@ _SPEED = "strut.velocity"
 _TOUCH = 1e-6  # N that a tyre off the ground may give by rounding
 
 
-def _channels(setting: Setting, name: str) -> list[str]:
+def _channels(setting: RunSetting, name: str) -> list[str]:
     """A channel of every corner."""
     return [f"{corner}.{name}" if corner else name for corner in setting.controllers]
 
@@ -762,7 +762,7 @@ def _check_period(component: FmuComponent, period: float) -> None:
         )
 
 
-class _Asked(Protocol):
+class _Instances(Protocol):
     """Instances, wherever they run."""
 
     def start(self) -> None:
@@ -775,7 +775,7 @@ class _Asked(Protocol):
         """Free all."""
 
 
-class _Child:
+class _FmuProcess:
     """Instances in a process of their own, which works in a folder that goes with it.
 
     A ``whole`` Python has its packages, which FMUs import that are written in it.

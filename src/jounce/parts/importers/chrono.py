@@ -126,7 +126,7 @@ _MULTI_LINK = {
 }
 
 
-class Reading(Draft):
+class ChronoReading(Draft):
     """One file while it is read: its points as written there, and the findings so far."""
 
     def __init__(self, file: ChronoFile, points: dict[str, Array]) -> None:
@@ -181,7 +181,7 @@ class Reading(Draft):
             bodies[name] = self.body(name, "Tierod", frame, (inner + outer) / 2.0)
 
 
-def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
+def _head(reading: ChronoReading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
     """Table of a rig without its wheel; the strut's points are the spring's, and a damper may have others."""
     points = dict(reading.points)
     points["strut_bottom"], points["strut_top"] = points.pop("spring_bottom"), points.pop("spring_top")
@@ -202,7 +202,7 @@ def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more:
     }
 
 
-def _double_wishbone(reading: Reading) -> dict[str, Any]:
+def _double_wishbone(reading: ChronoReading) -> dict[str, Any]:
     arms = {
         f"{side}_arm": reading.arm(
             f"{side}_arm", f"{side.title()} Control Arm", f"{side}_arm_front", f"{side}_arm_rear", f"{side}_ball_joint"
@@ -214,7 +214,7 @@ def _double_wishbone(reading: Reading) -> dict[str, Any]:
     return _head(reading, "double-wishbone", bodies, "lower_arm", steering={"rack_travel": 0.0})
 
 
-def _mcpherson(reading: Reading) -> dict[str, Any]:
+def _mcpherson(reading: ChronoReading) -> dict[str, Any]:
     bodies = {
         "lower_arm": reading.arm("lower_arm", "Control Arm", "lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
         "upright": reading.body("upright", "Upright", DESIGN),
@@ -226,7 +226,7 @@ def _mcpherson(reading: Reading) -> dict[str, Any]:
     return _head(reading, "mcpherson", bodies, "upright", steering={"rack_travel": 0.0})
 
 
-def _five_link(reading: Reading) -> dict[str, Any]:
+def _five_link(reading: ChronoReading) -> dict[str, Any]:
     points, file = reading.points, reading.file
     rods = {"link_3": ("Lateral", points["link_4_outer"]), "link_4": ("Trailing Link", points["spring_bottom"])}
     links = {}
@@ -250,7 +250,7 @@ def _five_link(reading: Reading) -> dict[str, Any]:
     return _head(reading, "five-link", bodies, "link_4")
 
 
-TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[Reading], dict[str, Any]]]] = {
+TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[ChronoReading], dict[str, Any]]]] = {
     "DoubleWishbone": (HARDPOINTS, _double_wishbone),
     "MacPhersonStrut": (_MACPHERSON, _mcpherson),
     "MultiLink": (_MULTI_LINK, _five_link),
@@ -316,7 +316,7 @@ def import_chrono(
     """
     file = ChronoFile(Path(path), list(TEMPLATES), _ADVICE)
     names, build = TEMPLATES[file.template]
-    reading = Reading(file, {name: file.numbers(section, key, (3,)) for name, (section, key) in names.items()})
+    reading = ChronoReading(file, {name: file.numbers(section, key, (3,)) for name, (section, key) in names.items()})
     table = build(reading)
     _add_elements(reading, table)
     angles = {"camber": file.angle("Camber Angle (deg)"), "toe": file.angle("Toe Angle (deg)")}
@@ -334,7 +334,7 @@ def import_chrono(
     return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), reading.findings, text
 
 
-def _add_elements(reading: Reading, table: dict[str, Any]) -> None:
+def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
     """Spring, damper and stops of the strut."""
     file, points = reading.file, table["hardpoints"]
     table["strut"] |= {"spring": spring_table(file), "damper": damper_table(file)}
@@ -356,7 +356,7 @@ def _add_elements(reading: Reading, table: dict[str, Any]) -> None:
         reading.note(file.at("Shock"), "the degressive damper is read as a table that follows it to 3 m/s.")
 
 
-def _note_what_differs(reading: Reading, names: dict[str, tuple[str, str]]) -> None:
+def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]) -> None:
     """What the file holds and the rig does not, and what is taken for granted about every file."""
     file = reading.file
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}

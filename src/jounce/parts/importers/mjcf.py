@@ -545,14 +545,14 @@ def _moved(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
 
 
 def _parsed(file: Path) -> ET.Element:
-    class Plain(ET.TreeBuilder):
+    class WithoutDoctype(ET.TreeBuilder):
         """A tree of what has no document type."""
 
         def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
             raise ET.ParseError("a document type")
 
     try:
-        root = ET.fromstring(content_of(file), ET.XMLParser(target=Plain()))
+        root = ET.fromstring(content_of(file), ET.XMLParser(target=WithoutDoctype()))
     except (ET.ParseError, ValueError, LookupError, RecursionError) as error:
         raise DescriptionError(f"not XML: {error}", where=str(file), allowed="MJCF") from None
     if root.tag != "mujoco":
