@@ -1,6 +1,6 @@
-/** What not every browser has: a language, a place that keeps things. */
+/** Features that some browsers lack: a language and storage. */
 
-// uPlot asks for the language of the browser as it is loaded, and ends the page where that is no language tag ("C", as in containers).
+// uPlot reads the browser's language when it loads, and fails if that is not a language tag ("C", as in containers).
 try {
   new Intl.NumberFormat(navigator.language || "-");
 } catch {
@@ -14,6 +14,6 @@ const allowed = (storage: () => Storage): Storage | null => {
     return null;
   }
 };
-/** What is kept for the next visit, and for as long as the tab is open; nothing where the settings forbid it. */
+/** Storage for later visits and for this tab; null if the settings forbid it. */
 export const lasting = allowed(() => localStorage),
   passing = allowed(() => sessionStorage);

@@ -1,4 +1,4 @@
-/** What a page holds for its viewers, as `jounce.report.live` writes it. */
+/** Content of the viewers of a page, as `jounce.report.live` writes it. */
 
 export interface Curve {
   label: string;
@@ -83,7 +83,7 @@ interface Content {
   arrays: Packed[];
   packed: string;
 }
-/** Of an answer: the places of a mechanism are indices of arrays. */
+/** In an answer, places of a mechanism are indices of arrays. */
 interface Straight {
   points: number[];
   spin: number;
@@ -132,13 +132,13 @@ export class Store {
     return store;
   }
 
-  /** The smallest step between two values of an array; 0 where it is exact. */
+  /** Smallest step between two values of an array; 0 if it is exact. */
   step(index: number): number {
     const { even, step } = this.content.arrays[index]!;
     return even ? 0 : step || this.finest(index);
   }
 
-  /** Of an array as it is: what is rounding beside its range, and on no screen. */
+  /** Rounding of an array relative to its range, invisible on a screen. */
   private finest(index: number): number {
     const values = this.get(index);
     let low = Infinity,
@@ -161,7 +161,7 @@ export class Store {
   }
 }
 
-/** What is not known is nothing, for those who draw. */
+/** Replaces unknown values by null, for plotting. */
 function withGaps(found: Float64Array): Numbers {
   return found.some(Number.isNaN)
     ? Array.from(found, (one) => (Number.isNaN(one) ? null : one))

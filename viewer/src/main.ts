@@ -1,4 +1,4 @@
-/** Brings a report to life: a player wherever the page has a place for one, light and dark, and printing. */
+/** Starts a report: a player at each place for one, light and dark colours, and printing. */
 
 import "./browser";
 import "uplot/dist/uPlot.min.css";

@@ -15,7 +15,7 @@ export interface Moment {
   roll?: number;
 }
 
-/** What a corner turns about at each pose, mm: (y, z) in front view, (x, z) beside, the roll centre (y, z). */
+/** Centres of rotation of a corner at each pose, mm: (y, z) in front view, (x, z) in side view, roll centre (y, z). */
 export interface Centres {
   front: ([number, number] | null)[];
   side: ([number, number] | null)[];
@@ -62,9 +62,9 @@ export class MechanismView {
   private reach: [number, number] = [300, 300];
   private centres: Centres | null = null;
   private chosen: string | null = null;
-  /** Hears that a hardpoint is dragged, by how much (mm) from where it was taken, and whether it was let go. */
+  /** Called while a hardpoint is dragged: by how much (mm) from its start, and whether it was released. */
   grabbed: ((name: string, by: Point, done: boolean) => void) | null = null;
-  /** Where a dragged point goes: in the plane of the picture, or along an axis. */
+  /** How a dragged point moves: in the view plane, or along an axis. */
   way: "view" | "x" | "y" | "z" = "view";
 
   /** `large`: the mechanism is what the page is about; its points are named, its parts listed and paths drawn at first. */
@@ -126,7 +126,7 @@ export class MechanismView {
     this.look("space");
   }
 
-  /** Everything as it is at one moment. */
+  /** Sets the state at one moment. */
   set(moment: Moment): void {
     const m = this.shown;
     this.now = moment;
@@ -163,7 +163,7 @@ export class MechanismView {
     return add(middle, this.rolled(minus(place, middle)));
   }
 
-  /** Something has changed: the next frame shows it. */
+  /** Requests a redraw in the next frame. */
   private stale(): void {
     this.isDirty = true;
     this.due ||= requestAnimationFrame(() => {
@@ -172,7 +172,7 @@ export class MechanismView {
     });
   }
 
-  /** Draws what the corner turns about, or nothing. */
+  /** Shows centres of rotation, or hides them. */
   showCentres(centres: Centres | null): void {
     this.centres = centres;
     this.stale();
@@ -184,7 +184,7 @@ export class MechanismView {
     this.stale();
   }
 
-  /** Fingers or the mouse turn the picture; two fingers, or another button or key, move it. */
+  /** One finger or the mouse rotates the view; two fingers, or another button or key, move it. */
   private turned(): void {
     const fingers = new Map<number, PointerEvent>();
     const lift = (event: PointerEvent) => fingers.delete(event.pointerId);
@@ -233,7 +233,7 @@ export class MechanismView {
     this.frame();
   }
 
-  /** Begins to drag the hardpoint under the pointer, where there is one. */
+  /** Starts to drag the hardpoint under the pointer, if there is one. */
   private take(event: PointerEvent): void {
     const m = this.shown,
       { camera } = this;
@@ -340,7 +340,7 @@ export class MechanismView {
     );
   }
 
-  /** Draws now, where something has changed. */
+  /** Draws now if something has changed. */
   draw(): void {
     const m = this.shown;
     if (!this.isDirty || !this.isSeen || !m || !this.context) return;

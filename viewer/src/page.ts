@@ -1,4 +1,4 @@
-/** Small things that every component needs: elements, numbers, colours. */
+/** Basic functions for all components: elements, numbers, colours. */
 
 import { heard, localised, say, tr } from "./words";
 
@@ -49,7 +49,7 @@ export function toggle(
   return button;
 }
 
-/** A number with so many significant digits, without an exponent where people read it more easily so. */
+/** Formats a number with significant digits, without an exponent if that is easier to read. */
 export function written(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
@@ -63,7 +63,7 @@ export function written(value: number | null | undefined, digits = 4): string {
   return localised(text);
 }
 
-/** A value with the ends of its interval, in digits that tell the ends apart. */
+/** Formats a value and its interval with enough digits to distinguish the ends. */
 export function withInterval(
   value: number,
   [low, high]: [number, number],
@@ -92,21 +92,21 @@ export function colour(name: string): string {
 
 let fast: boolean | null = null;
 
-/** Whether a graphics card draws. */
+/** Whether a graphics card renders. */
 export function isFast(): boolean {
   if (fast === null) {
     const probe = document
       .createElement("canvas")
       .getContext("webgl2", { failIfMajorPerformanceCaveat: true });
-    const told = probe?.getExtension("WEBGL_debug_renderer_info"); // not every browser says that it draws in software
-    const name = told ? String(probe!.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
+    const info = probe?.getExtension("WEBGL_debug_renderer_info"); // not every browser says that it draws in software
+    const name = info ? String(probe!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
     fast = probe !== null && !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
     probe?.getExtension("WEBGL_lose_context")?.loseContext();
   }
   return fast;
 }
 
-/** Gives a canvas a size in pixels of the page, drawn as fine as the screen is; what was on it is gone. */
+/** Sets the size of a canvas in CSS pixels at the resolution of the screen, and clears it. */
 export function sized(
   canvas: HTMLCanvasElement,
   width: number,
@@ -124,19 +124,19 @@ export function sized(
 
 const listeners = new Set<() => void>();
 
-/** Calls back when the page becomes light or dark, or finer: enlarged, or on another screen. */
+/** Calls back when the colour scheme or the resolution changes. */
 export function whenColoursChange(change: () => void): void {
   listeners.add(change);
 }
 
 const left = new Set<() => void>();
 
-/** Calls back when what a page shows is left for another page. */
+/** Calls back when the current page is left. */
 export function whenLeft(does: () => void): void {
   left.add(does);
 }
 
-/** What was shown is gone: nobody hears of it any more, and what it held is given back. */
+/** Notifies listeners that the current page was left, and frees its resources. */
 export function leave(): void {
   for (const does of left) does();
   left.clear();
@@ -159,7 +159,7 @@ function watchPixels(): void {
 }
 watchPixels();
 
-/** Light, dark, or what the system says. */
+/** Light, dark, or the system's setting. */
 export function themeButton(): HTMLButtonElement {
   const system = matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
@@ -182,7 +182,7 @@ export function themeButton(): HTMLButtonElement {
   return button;
 }
 
-/** What every page gets, with curves or without. */
+/** Set-up of every page, with or without curves. */
 export function dress(): void {
   document.documentElement.classList.add("live");
   document.querySelector("header")?.append(themeButton());

@@ -7,7 +7,7 @@ import { LinkedPlots } from "./plots";
 import { localised, say } from "./words";
 
 const SLOWER = [1, 2, 5, 10, 20, 50, 100];
-/** Channels that are all offered at once; of more those that are shown, and the others behind a button. */
+/** Up to this many channels have buttons at once; further ones are behind a button unless shown. */
 const FEW = matchMedia("(max-width: 40rem)").matches ? 6 : 16;
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -57,9 +57,9 @@ export class Player {
   private isGone = false;
   private way = 1;
   private last = 0;
-  /** Hears what place of the axis is looked at. */
+  /** Called with the position on the axis under the cursor. */
   moved: ((place: number) => void) | null = null;
-  /** Hears that a channel is to be shown whose numbers are not there. */
+  /** Called when a channel without loaded data is to be shown. */
   lacking: (() => void) | null = null;
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
@@ -84,7 +84,7 @@ export class Player {
     });
   }
 
-  /** Shows the scene of this name; whether there is one. */
+  /** Shows the scene of this name; returns whether it exists. */
   choose(name: string): boolean {
     const found = this.model.scenes.findIndex((scene) => scene.name === name);
     if (found < 0) return false;
@@ -93,7 +93,7 @@ export class Player {
     return true;
   }
 
-  /** Takes content of the same kind in place of what it has: what is chosen, and the part that is looked at, stay. */
+  /** Replaces the content by similar content; selection and zoom stay. */
   replace(model: Model, store: Store): void {
     const isOther = model.x.words !== this.model.x.words;
     const index = Math.max(this.model.scenes.indexOf(this.scene), 0),

@@ -46,7 +46,7 @@ export class LinkedPlots {
   private busy = false;
   private place = 0;
 
-  /** `moved` hears where the pointer is on the common axis, `zoomed` what part of it is seen. */
+  /** `moved` is called with the pointer's position on the common axis, `zoomed` with the visible range. */
   constructor(
     private readonly moved: (x: number) => void,
     private readonly zoomed: (range: [number, number]) => void = () => {},
@@ -70,7 +70,7 @@ export class LinkedPlots {
     this.zoomed(this.range);
   }
 
-  /** Puts other numbers into the plots that stand there; whether they are of the same kind. */
+  /** Replaces the data of the plots; returns whether they have the same form. */
   private refresh(plotted: Plotted, keep: [number, number] | null): boolean {
     const kind = (one: Plotted) =>
       JSON.stringify([
@@ -120,7 +120,7 @@ export class LinkedPlots {
     this.zoom(...this.whole);
   }
 
-  /** Shows from `low` to `high`, kept within what there is. */
+  /** Shows the range from `low` to `high`, limited to the data. */
   zoom(low: number, high: number): void {
     const [first, last] = this.whole,
       least = (last - first) * (this.shown?.whole ? 1e-7 : 1e-4) || 1;
@@ -346,7 +346,7 @@ export class LinkedPlots {
   }
 }
 
-/** Makes plots whose canvas is drawn by the processor where there is no graphics card: a stand-in for one takes twice as long. */
+/** Makes plots that render on the processor if there is no graphics card: emulating one takes twice as long. */
 function drawnByTheProcessor<T>(make: () => T): T {
   if (isFast()) return make();
   const kind = HTMLCanvasElement.prototype,
@@ -373,7 +373,7 @@ function alike(ticks: number[]): string[] {
   return ticks.map((tick) => localised(tick === 0 ? "0" : tick.toFixed(digits)));
 }
 
-/** What an axis shows of values from `low` to `high`: of those that are all alike, some way to both sides. */
+/** Range of an axis for values from `low` to `high`; constant values get a margin on both sides. */
 function around(low: number | null, high: number | null): [number, number] {
   if (low === null || high === null) return [0, 1];
   if (high > low) return uPlot.rangeNum(low, high, 0.1, true) as [number, number];

@@ -1,4 +1,4 @@
-/** Places and bodies in space, and a picture of them from far away: the nearer is painted over the farther. */
+/** Points and bodies in space, and their parallel projection, painted from back to front. */
 
 export type Point = [number, number, number];
 

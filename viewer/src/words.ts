@@ -86,12 +86,12 @@ const GERMAN: typeof ENGLISH = {
 export const isGerman = document.documentElement.lang.startsWith("de");
 const words = isGerman ? GERMAN : ENGLISH;
 
-/** A text of the viewer; `#` in it is what is given. */
+/** A text of the viewer; `given` replaces `#`. */
 export function say(word: keyof typeof ENGLISH, given = ""): string {
   return words[word].replace("#", () => given);
 }
 
-/** A number as the language of the page writes it: true minus signs, its decimal mark. */
+/** Formats a number in the language of the page: minus signs and decimal mark. */
 export function localised(text: string): string {
   const signed = text.replaceAll("-", "−");
   return isGerman ? signed.replace(".", ",") : signed;
@@ -101,13 +101,13 @@ const SAID: Record<string, string> = {};
 
 let patterns: [RegExp, string][] | null = null;
 
-/** Adds German for English texts of a page; `#` in them is whatever stands there. */
+/** Adds German for English texts of a page; `#` stands for any text. */
 export function translate(texts: Record<string, string>): void {
   Object.assign(SAID, texts);
   patterns = null;
 }
 
-/** German of a text that is known, also by its words around what is given; names and numbers stay as they are. */
+/** German of a known text, also by its template; names and numbers stay. */
 function german(text: string): string | undefined {
   if (Object.hasOwn(SAID, text)) return SAID[text];
   if (text.length > 400) return undefined;
@@ -134,12 +134,12 @@ function german(text: string): string | undefined {
   return undefined;
 }
 
-/** A text of an element in the language of the page: only what is a sentence or begins with a capital, which names and paths do not. */
+/** Translates the text of an element if it is a sentence or begins with a capital, which names and paths do not. */
 export function heard(text: string): string {
   return (isGerman && /^[A-Z]|\s/.test(text) && german(text)) || text;
 }
 
-/** An English text in the language of the page; `#` in it is what is given. */
+/** Translates an English text; `given` replaces `#`. */
 export function tr(text: string, given = ""): string {
   return ((isGerman && SAID[text]) || text).replace("#", () => given);
 }

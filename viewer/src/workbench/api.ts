@@ -1,4 +1,4 @@
-/** Questions to the server; each answer is plain data, each refusal an error with the server's words. */
+/** Requests to the server; answers are plain data, refusals are errors with the server's message. */
 
 import { lasting } from "../browser";
 import { tr } from "../words";
@@ -50,7 +50,7 @@ export interface Problem {
   line: number;
   text: string;
 }
-/** What a file was before it was written anew: its name, and when that was (s since 1970). */
+/** An earlier version of a file: its name, and when it was replaced (s since 1970). */
 export interface Version {
   name: string;
   replaced: number;
@@ -66,20 +66,20 @@ export interface Form {
   python: string;
   command: string;
 }
-/** Content of a viewer (see ../data), and how to get the same by other ways. */
+/** Content of a viewer (see ../data), and the same in Python and on the command line. */
 export interface Answer {
   python: string;
   command: string;
   files: Record<string, string>;
 }
-/** The digest of the rig as it is saved, of whose numbers those that are sent are changes. */
+/** Digest of the saved rig that the sent changes refer to. */
 export interface OfRig {
   digest: string;
 }
 
 const KEY = "jounce-token",
   brought = new URLSearchParams(location.search).get("token");
-/** What the printed address brings along, and every question carries. It is kept for this address, other tabs too, and sent to no other. */
+/** Token from the printed address, sent with every request. It is stored for this address, for all tabs, and sent to no other. */
 export const token = brought ?? lasting?.getItem(KEY) ?? "";
 if (brought !== null) {
   try {
@@ -122,13 +122,13 @@ async function sent(path: string, given: RequestInit): Promise<Response> {
     throw new Error(
       tr("This session is no longer valid: open the address that jounce serve printed."),
     );
-  const told = (await answer.json().catch(() => null)) as {
+  const refusal = (await answer.json().catch(() => null)) as {
     error?: { text: string };
     detail?: { msg: string; loc: string[] }[];
   } | null;
   throw new Refused(
-    told?.error?.text ??
-      told?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ??
+    refusal?.error?.text ??
+      refusal?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ??
       answer.statusText,
   );
 }
@@ -139,7 +139,7 @@ export const get = async <T>(path: string): Promise<T> =>
 
 export const project = () => get<Project>("/api/project");
 let place: Promise<string> | null = null;
-/** The folder that the workbench is opened on, asked for once. */
+/** Folder of the workbench, requested once. */
 export function folder(): Promise<string> {
   place ??= project().then((found) => found.folder);
   place.catch(() => {
@@ -165,7 +165,7 @@ export const start = async (name: string, path: string) =>
 export const save = async (path: string, text: string, was: string) =>
   (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
 const schemas = new Map<string, Promise<object>>();
-/** Schema of a model, asked for once. */
+/** Schema of a model, requested once. */
 export function schema(model: string): Promise<object> {
   let found = schemas.get(model);
   if (!found) {
@@ -188,7 +188,7 @@ export const form = async (
 };
 export const binary = async (path: string, body: unknown) =>
   (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
-/** Puts a file into the project as it is. */
+/** Uploads a file into the project. */
 export const upload = async (path: string, file: File): Promise<void> => {
   await sent(`/api/upload?${query({ path })}`, { method: "PUT", body: file });
 };

@@ -1,4 +1,4 @@
-/** Hardpoints from targets: a study written from what the page wants, searched as a job, and what it found. */
+/** Hardpoints from targets: writes a study, searches as a job, and shows the designs found. */
 
 import { make, written } from "../page";
 import { heard, tr } from "../words";
@@ -32,7 +32,7 @@ interface Found {
 
 const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);
 
-/** A search for hardpoints that give the targets, as a job: how far it is, what was found, and that taken. */
+/** A search for hardpoints that meet the targets, as a job: progress, results, and applying a design. */
 export function designing(
   name: string,
   rig: api.Rig,
@@ -92,7 +92,7 @@ export function designing(
     ).catch((error) => out.replaceChildren(problem(error)));
   });
 
-  /** All of it as it was when the search was asked for, whatever is edited while it is written down. */
+  /** Searches with the state at the time of the request, whatever is edited meanwhile. */
   async function search(
     free: string[],
     changes: Record<string, number>,

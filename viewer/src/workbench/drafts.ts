@@ -1,16 +1,16 @@
-/** What is edited and not saved: kept in the browser until it is saved or discarded, and offered again. No file is ever written from here. */
+/** Unsaved changes: stored in the browser until they are saved or discarded, and offered again. No file is written here. */
 
 import { lasting } from "../browser";
 import { make, whenLeft } from "../page";
 import { isGerman, tr } from "../words";
 
-/** What was entered, when (ms since 1970), and the digest of the saved text that it was based on. */
+/** The entries, their time (ms since 1970), and the digest of the saved text they are based on. */
 interface Draft {
   at: number;
   was: string;
   state: object;
 }
-/** Where a draft lies: the page that it was made on, by its address. */
+/** Place of a draft: the address of its page. */
 export interface Lying {
   key: string;
   page: string;
@@ -192,11 +192,11 @@ export class Drafts<T extends object> {
               await this.restore(draft.state as T);
               this.keep();
               if (this.isKept) discard(key);
-              this.told("Restored.");
+              this.announce("Restored.");
             }),
             button("Discard", id, () => {
               discard(key);
-              this.told("Discarded.");
+              this.announce("Discarded.");
             }),
           ),
         );
@@ -204,7 +204,7 @@ export class Drafts<T extends object> {
     );
   }
 
-  private told(words: string): void {
+  private announce(words: string): void {
     this.offer(words);
     if (this.element.isConnected) this.element.focus();
   }

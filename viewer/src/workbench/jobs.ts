@@ -1,9 +1,9 @@
-/** Long work: how it stands, told by the server as it goes on, and how it is begun, stopped and done again. */
+/** Jobs: their state as the server reports it, and starting, stopping and restarting them. */
 
 import { make, whenLeft, written } from "../page";
 import { heard, isGerman, tr } from "../words";
 import { asked, get, token, upload } from "./api";
-import { InTurn, problem, ways } from "./parts";
+import { InTurn, problem, snippets } from "./parts";
 import { Refused } from "./refusals";
 
 export interface Step {
@@ -36,8 +36,8 @@ export interface Whole<T = unknown> extends Job {
   result: T;
   has_page: boolean;
 }
-/** What a quick question gives. */
-export interface Told<T> {
+/** Answer to a short task. */
+export interface Reply<T> {
   result: T;
   python: string;
   command: string;
@@ -48,7 +48,7 @@ export interface Told<T> {
 const send = async <T>(method: string, path: string, body?: unknown): Promise<T> =>
   (await asked(method, path, body)).json() as Promise<T>;
 export const begin = (task: object) => send<Job>("POST", "/api/jobs", task);
-export const ask = <T>(task: object) => send<Told<T>>("POST", "/api/ask", task);
+export const ask = <T>(task: object) => send<Reply<T>>("POST", "/api/ask", task);
 export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComponent(id)}`);
 
 type Listener = (jobs: Job[]) => void;
@@ -138,7 +138,7 @@ export function lasting(seconds: number): string {
 export const titled = (title: string) =>
   isGerman ? heard(title).replace(/^(.+) on (\S+) at (\S+(?: \S+)?)$/, "$1 auf $2 mit $3") : title;
 
-/** One job: what it does, how far it is, what went wrong, and what can be done about it. */
+/** Card of one job: its task, progress, errors and actions. */
 export class JobCard {
   readonly element = make("article", { class: "job" });
   private readonly state = make("span", { class: "mark" });
@@ -146,7 +146,7 @@ export class JobCard {
   private readonly said = make("p", { class: "state", role: "status" });
   private readonly bar = make("progress", { max: "1" });
   private readonly actions = make("div", { class: "bar" });
-  private readonly told = make("div", {});
+  private readonly status = make("div", {});
   private shown = "";
 
   constructor(
@@ -158,7 +158,7 @@ export class JobCard {
       make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times),
       this.bar,
       this.said,
-      this.told,
+      this.status,
       this.actions,
     );
     this.show(job);
@@ -182,7 +182,7 @@ export class JobCard {
     this.tick();
     if (this.shown === job.state) return;
     this.shown = job.state;
-    this.told.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
+    this.status.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
       const button = make(
         "button",
@@ -196,7 +196,7 @@ export class JobCard {
       button.addEventListener("click", () => {
         button.disabled = true;
         does().catch((error) => {
-          this.told.replaceChildren(problem(error));
+          this.status.replaceChildren(problem(error));
           button.disabled = false;
         });
       });
@@ -227,7 +227,7 @@ export class JobCard {
       ...(!runs ? [act("Remove", () => send("DELETE", path))] : []),
     );
     this.actions.append(
-      make("details", {}, make("summary", {}, "In Python and on the command line"), ways(job)),
+      make("details", {}, make("summary", {}, "In Python and on the command line"), snippets(job)),
     );
   }
 
@@ -241,7 +241,7 @@ export class JobCard {
   }
 }
 
-/** Calls back with a job whenever it has changed, and once with all that it gave. */
+/** Calls back whenever a job changes, and once with its result. */
 export async function accompany<T>(
   place: HTMLElement,
   first: Whole<T>,
@@ -267,7 +267,7 @@ export async function accompany<T>(
   });
 }
 
-/** All jobs of some kinds (or every one), the newest first, as they are told. */
+/** Live list of all jobs, or those of some kinds, newest first. */
 export function jobList(
   kinds: string[] | null,
   shown: (job: Job) => void,
@@ -294,8 +294,8 @@ export function jobList(
   return place;
 }
 
-/** What a command that did its work could not write or draw. */
-export function undone(result: unknown): HTMLElement[] {
+/** Problems of a command that succeeded but could not write or draw everything. */
+export function failures(result: unknown): HTMLElement[] {
   const findings =
     (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
   return findings
@@ -319,16 +319,16 @@ export function report(address: string, title: string, language = "en"): HTMLEle
   );
 }
 
-/** Puts files into the project, one after the other. `coming` is called when somebody gives some; what it returns hears which paths they have there. */
+/** Uploads files into the project one by one. `coming` is called when files are dropped; the function it returns is called with their paths. */
 export function dropZone(
   folder: () => string,
   words: string,
   coming: () => (paths: string[]) => void,
 ): HTMLElement {
   const input = make("input", { type: "file", multiple: true, "aria-label": words });
-  const told = make("div", { "aria-live": "polite" }),
-    turn = new InTurn((error) => told.append(problem(error)));
-  const zone = make("div", { class: "drop" }, make("p", {}, words), input, told);
+  const status = make("div", { "aria-live": "polite" }),
+    turn = new InTurn((error) => status.append(problem(error)));
+  const zone = make("div", { class: "drop" }, make("p", {}, words), input, status);
   const take = (given: FileList | null) => {
     const files = [...(given ?? [])],
       into = folder().replace(/\/+$/, ""),
@@ -336,8 +336,8 @@ export function dropZone(
       said = make("div", {});
     input.value = "";
     if (!files.length) return;
-    if (!turn.waiting) told.replaceChildren();
-    told.append(said);
+    if (!turn.waiting) status.replaceChildren();
+    status.append(said);
     void turn.do(async () => {
       const paths: string[] = [],
         wrong: HTMLElement[] = [];
@@ -392,7 +392,7 @@ export function dropZone(
 
 const MOST = 250e6;
 
-/** A button that asks a quick question and shows what came of it, or why nothing did; `show` is told what was asked, which the form may not say any more. */
+/** A button that runs a short task and shows its result or error; `show` gets the task as it was asked, since the form may have changed. */
 export class Question<T, A extends object = object> {
   readonly button: HTMLButtonElement;
   readonly place = make("div", { "aria-live": "polite" });
@@ -401,7 +401,7 @@ export class Question<T, A extends object = object> {
   constructor(
     label: string,
     private readonly task: () => A,
-    private readonly show: (told: Told<T>, asked: A) => (Node | string)[],
+    private readonly show: (reply: Reply<T>, asked: A) => (Node | string)[],
   ) {
     this.button = make("button", { type: "button", class: "main" }, label);
     this.button.addEventListener("click", () => void this.ask());
@@ -416,8 +416,8 @@ export class Question<T, A extends object = object> {
     let shown: () => (Node | string)[];
     try {
       const task = this.task(),
-        told = await ask<T>(task);
-      shown = () => this.show(told, task);
+        reply = await ask<T>(task);
+      shown = () => this.show(reply, task);
     } catch (error) {
       shown = () => [problem(error)];
     }

@@ -1,4 +1,4 @@
-/** Pieces of which the pages are made. */
+/** Components of the pages. */
 
 import { type Model, Store } from "../data";
 import { make, written } from "../page";
@@ -19,11 +19,11 @@ export function field(label: string, control: HTMLElement, note = ""): HTMLLabel
   );
 }
 
-/** A field for a short text, which is no prose. */
+/** A field for a short text without spell checking. */
 export const textBox = (value = "", placeholder = ""): HTMLInputElement =>
   make("input", { type: "text", value, placeholder, spellcheck: "false" });
 
-/** A choice between values, each said as it is or in words of its own; the first is chosen where none is. */
+/** A choice between values, shown as they are or in `words`; the first is selected by default. */
 export function select(
   values: readonly string[],
   chosen?: string,
@@ -36,7 +36,7 @@ export function select(
   );
 }
 
-/** A choice that may stay open: nothing is chosen first, in words of its own. */
+/** A choice that may stay empty; `none` is the text of the empty option. */
 export const optional = (none: string, values: readonly string[]): HTMLSelectElement =>
   select(["", ...values], "", (value) => tr(value || none));
 
@@ -52,7 +52,7 @@ export function problem(error: unknown): HTMLElement {
   );
 }
 
-/** What a button begins is not begun again before it has ended, however often it is pressed. */
+/** Disables a button while its work runs, so that a second press starts nothing. */
 export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T> {
   button.disabled = true;
   return work.finally(() => {
@@ -87,7 +87,7 @@ export function copied(title: string, text: string): HTMLElement {
 }
 
 /** The same in Python and on the command line, with the files of both, to copy. */
-export function ways(same: Answer): HTMLElement {
+export function snippets(same: Answer): HTMLElement {
   return make("div", { class: "ways" }, ...copies(same));
 }
 
@@ -99,7 +99,7 @@ function copies({ python, command, files = {} }: Answer): HTMLElement[] {
   ];
 }
 
-/** Says that the file of a rig was changed since its numbers were put on the page, wherever an answer comes from another one. */
+/** Warns if an answer is based on another version of the rig's file than the page. */
 export class Outdated {
   readonly element = make("div", { "aria-live": "polite" });
   constructor(private readonly rig: Rig) {}
@@ -127,8 +127,8 @@ export class Outdated {
   }
 }
 
-/** The same by other ways, of what changes often: only its texts are exchanged. */
-export class Ways {
+/** Snippets of curves that change often: only their texts are replaced. */
+export class LiveSnippets {
   readonly element = make("div", { class: "ways" });
   show({ python, command, files }: Answer): void {
     const texts = [python, ...(command ? [command] : []), ...Object.values(files)],
@@ -141,7 +141,7 @@ export class Ways {
   }
 }
 
-/** Asks one question at a time, and the newest next. */
+/** Runs one request at a time, and then only the newest waiting one. */
 export class Newest {
   private busy = false;
   private next: (() => Promise<void>) | null = null;
@@ -161,10 +161,10 @@ export class Newest {
   }
 }
 
-/** Does one thing after the other, every one of them: what is edited is not to be lost where an answer takes long. */
+/** Runs all tasks one after the other, so that no edit is lost while an answer is slow. */
 export class InTurn {
   private last = Promise.resolve();
-  /** How many are not done yet. */
+  /** Number of unfinished tasks. */
   waiting = 0;
   /** `rested` is called when nothing waits any more. */
   constructor(
@@ -184,7 +184,7 @@ export class InTurn {
   }
 }
 
-/** Steps back and forth through what is entered: one for all that comes without a pause. `put` enters a state again. */
+/** Undo and redo of the entries; edits without a pause are one step. `put` restores a state. */
 export class Steps<T> {
   private readonly past: string[] = [];
   private future: string[] = [];
@@ -222,7 +222,7 @@ export class Steps<T> {
     });
   }
 
-  /** Something may have changed: it is a step once nothing more comes. */
+  /** Notes a possible change; it becomes a step after a pause. */
   changed(): void {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => this.take(), PAUSE);
@@ -269,7 +269,7 @@ export class Steps<T> {
 
 const PAUSE = 300; // ms
 
-/** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
+/** Parameters of a rig as sliders from 50 % to 150 % of their value; only changes are sent. */
 export class Sliders {
   readonly element = make("div", { class: "sliders" });
   readonly changes: Record<string, number> = {};
@@ -388,16 +388,16 @@ export class Sliders {
   }
 }
 
-/** Curves that follow what is asked: one question at a time, the newest next, and the last answer stays until another comes. */
+/** Curves that follow the inputs: one request at a time, the newest next; the last answer stays until the next. */
 export class Live {
   readonly element = make("div", { class: "live" });
   private readonly state = make("p", { class: "state", role: "status" });
   private readonly place = make("div", {});
-  private readonly same = new Ways();
+  private readonly same = new LiveSnippets();
   private player: Player | null = null;
   private busy = false;
   private again = false;
-  /** Hears what is shown, and what place of its axis is looked at. */
+  /** Called with the content shown, and with the position on its axis under the cursor. */
   shown: ((model: Model, store: Store) => void) | null = null;
   moved: ((place: number) => void) | null = null;
   /** Milliseconds from a question to its curves. */

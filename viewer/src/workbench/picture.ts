@@ -13,13 +13,13 @@ export function svg(name: string, attributes: Attributes = {}, content = ""): SV
   return element;
 }
 
-/** An axis from one end to the other, with its label and what makes its unit of SI. */
+/** An axis: its ends (SI), its label, and the factor to its unit. */
 export interface Axis {
   ends: readonly [number, number];
   label: string;
   factor?: number;
 }
-/** A plane of two axes: its picture, and where values lie in it. */
+/** A plane of two axes: its picture, and the mapping of values to it. */
 export interface Plane {
   picture: SVGElement;
   at: (x: number, y: number) => [number, number];
@@ -53,6 +53,6 @@ export function plane(x: Axis, y: Axis, attributes: Attributes): Plane {
   return { picture, at };
 }
 
-/** A line through places of a plane. */
+/** Path of a line through points of a plane. */
 export const line = (places: [number, number][]): string =>
   places.map(([x, y], k) => `${k ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");

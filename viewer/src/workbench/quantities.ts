@@ -12,7 +12,7 @@ const NAMES: Terms = german.quantities,
   KEYS: Terms = german.keys,
   WORDS: Terms = german.words;
 
-/** A quantity as a page shows it: its key in results, its words, its unit, and what makes it of SI. */
+/** A quantity as a page shows it: its key in results, its label, its unit and the factor from SI. */
 export type Quantity = [name: string, words: string, unit: string, factor: number];
 type Unit = [name: string, factor: number];
 type Estimate = [words: string, unit: string, factor: number];
@@ -36,7 +36,7 @@ export const ESTIMATES = generated.estimates as unknown as Record<
   Record<string, Estimate>
 >;
 const UNITS = generated.units as unknown as Record<string, Unit>;
-/** The unit in which values of an SI unit are shown, and what makes them of SI. */
+/** Display unit of an SI unit, and the factor to it. */
 export const shownUnit = (si: string): Unit => UNITS[si] ?? [si, 1];
 
 translate({

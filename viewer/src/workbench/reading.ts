@@ -1,11 +1,11 @@
-/** A measured file before it is read for good: its columns, their names, units and signs, and a picture of what would be read. */
+/** A measured file before it is imported: columns, names, units and signs, with a preview. */
 
 import { Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
 import { Question } from "./jobs";
-import { field, ways } from "./parts";
+import { field, snippets } from "./parts";
 import { line, plane, svg } from "./picture";
 import { inWords } from "./quantities";
 import { advised, asSaid } from "./refusals";
@@ -136,7 +136,7 @@ export class Reading {
     this.question = new Question<Preview>(
       "Preview",
       () => ({ kind: "preview", files: [this.file], form: this.form, ...this.asked() }),
-      (told) => this.shown(told.result, told),
+      (reply) => this.shown(reply.result, reply),
     );
     this.names.append(...USUAL.map((one) => make("option", { value: one })));
     this.element.append(
@@ -183,7 +183,7 @@ export class Reading {
 
   private shown(
     found: Preview,
-    told: { python: string; command: string; files: Record<string, string> },
+    reply: { python: string; command: string; files: Record<string, string> },
   ): HTMLElement[] {
     if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) {
       this.known = found.columns;
@@ -210,7 +210,7 @@ export class Reading {
           if (model) holder.replaceChildren(new Player(model, store).element);
         });
     }
-    return [...shown, ways(told)];
+    return [...shown, snippets(reply)];
   }
 
   /** A file of the same columns was read before: one button reads this one so, where nothing was said of it yet. */

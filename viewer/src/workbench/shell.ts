@@ -1,4 +1,4 @@
-/** What a page of the workbench is, and what pages share: addresses, rigs to choose from, and the live curves that are open. */
+/** Pages of the workbench and what they share: addresses, the choice of a rig, and the open live curves. */
 
 import { passing } from "../browser";
 import { make } from "../page";
@@ -6,7 +6,7 @@ import { tr } from "../words";
 import * as api from "./api";
 
 export type Values = URLSearchParams;
-/** A page has a word in the head and fills its place; an error that it throws is shown there with the way back. */
+/** A page has a label in the header and fills its place; its errors are shown there with a link back. */
 export interface Page {
   label: string;
   show: (place: HTMLElement, values: Values) => Promise<void>;
@@ -17,7 +17,7 @@ export const RIGS = ["rig"],
 export const address = (page: string, values: Record<string, string> = {}) =>
   `#/${page}?${new URLSearchParams(values)}`;
 
-/** A value of an address as JSON; nothing where it is none. */
+/** Parses a value of an address as JSON; empty if it is not valid. */
 export function given<T extends object>(text: string | null): T {
   try {
     return (JSON.parse(text ?? "{}") ?? {}) as T;
@@ -26,12 +26,12 @@ export function given<T extends object>(text: string | null): T {
   }
 }
 
-/** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
+/** Goes to another page unless the calling page was left meanwhile, so that a late answer moves nobody. */
 export function goTo(from: Node, page: string, values: Record<string, string> = {}): void {
   if (from.isConnected) location.hash = address(page, values);
 }
 
-/** Under which word the address of a page says which rig or vehicle it shows. */
+/** Key of the rig or vehicle in the address of each page. */
 const SHOWS: Record<string, string> = {
     rig: "name",
     kinematics: "rig",
@@ -40,7 +40,7 @@ const SHOWS: Record<string, string> = {
   },
   KEY = "jounce-rig";
 
-/** What a page shows stays with whoever goes on to another page by its word in the head; that of the open page leads to the choice. */
+/** Links in the header keep the open rig; that of the open page leads to the choice. */
 export function carry(name: string): void {
   passing?.setItem(KEY, name);
   for (const link of document.querySelectorAll<HTMLAnchorElement>("#pages a")) {
@@ -58,13 +58,13 @@ export function carry(name: string): void {
 export const carried = (page: string, values: Values): string =>
   values.get(SHOWS[page] ?? "") ?? passing?.getItem(KEY) ?? "";
 
-/** The live curves of the open page, for whoever measures them. */
+/** The live curves of the open page, for benchmarks. */
 export let live: { times: number[] } | null = null;
 export function setLive(curves: { times: number[] } | null): void {
   live = curves;
 }
 
-/** Rigs to choose from, where none was. */
+/** Lets the user choose a rig if none is given. */
 export async function choose(
   place: HTMLElement,
   page: string,

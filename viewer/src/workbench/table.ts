@@ -1,10 +1,10 @@
-/** Tables of pages: a scrolled region with its label, headers that say which columns are numbers, and rows named by their first cell. */
+/** Tables of pages: a labelled scroll region with column and row headers. */
 
 import { make } from "../page";
 
 export type Cell = Node | string | (Node | string)[];
 
-/** A row named by its first cell; the columns that are numbers are aligned at the right. */
+/** A row with its first cell as header; columns in `numbers` are right-aligned. */
 export function row(cells: Cell[], numbers: number[] = []): HTMLTableRowElement {
   return make(
     "tr",
@@ -15,7 +15,7 @@ export function row(cells: Cell[], numbers: number[] = []): HTMLTableRowElement 
   );
 }
 
-/** A table of rows, or of a body that is filled elsewhere; an empty header has no words. */
+/** A table of rows, or with a body that is filled elsewhere; empty headers stay empty. */
 export function table(
   label: string,
   header: Cell[],

@@ -1,4 +1,4 @@
-/** Many variants at once: lines through parallel axes that are brushed, and a matrix of dots; the same variants are lit in both. */
+/** Many variants at once: filtered lines on parallel axes and a scatter plot matrix with the same selection. */
 
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
@@ -13,7 +13,7 @@ export interface Column {
   values: (number | null)[];
 }
 
-/** A name that may go on in the next line behind a dot, and in no word of it. */
+/** A name that may break behind a dot only. */
 const dotted = (text: string) =>
   text.split(/(?<=\.)(?=[a-z])/).flatMap((part, i) => (i ? [make("wbr"), part] : [part]));
 const named = (one: Column) => `${one.name} [${one.unit || "–"}]`;
@@ -32,7 +32,7 @@ const ends = (values: (number | null)[]): [number, number] => {
       : [0, 1];
 };
 
-/** Which variants are chosen: those within every range that is set. */
+/** Selection of variants: those within all ranges. */
 export class Brushes {
   readonly ranges = new Map<number, [number, number]>();
   chosen: boolean[] = [];
@@ -246,7 +246,7 @@ const WIDE = 170,
   TALL = 130,
   MARGIN = 8;
 
-/** One picture of dots: every variant by two of its columns. */
+/** Scatter plot of two columns. */
 function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
   const drawing = make("canvas"),
     context = sized(drawing, WIDE, TALL),
@@ -305,7 +305,7 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
   return drawing;
 }
 
-/** Every metric over every number. */
+/** Scatter plots of all metrics over all parameters. */
 export function matrix(brushes: Brushes): HTMLElement {
   const numbers = brushes.columns.filter((one) => one.is_number).slice(0, 8),
     metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
@@ -352,7 +352,7 @@ const INDEX: [string, string][] = [
   ["regression", "regression coefficient"],
 ];
 
-/** What a metric depends on, as bars, the number that matters most above. */
+/** Sensitivity of a metric as bars, the most important parameter first. */
 export function tornado(influences: Influence[], metric: Column, mean: number): HTMLElement {
   const value = (one: Influence, key: string) => {
     const found = one.measures[key];
@@ -383,10 +383,10 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
         }),
       );
     });
-    const told = swings[k]!.map((swing) =>
+    const texts = swings[k]!.map((swing) =>
       Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–",
     );
-    return [one.number, told[0]!, picture, told[1]!, written(value(one, key), 3)];
+    return [one.number, texts[0]!, picture, texts[1]!, written(value(one, key), 3)];
   });
   const end = (word: string): Cell => [
     make("span", { class: `key ${word}` }),

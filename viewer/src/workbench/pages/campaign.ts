@@ -16,7 +16,7 @@ import {
   type Step,
   whole,
 } from "../jobs";
-import { field, once, problem, select, textBox, ways } from "../parts";
+import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, svg } from "../picture";
 import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
@@ -43,7 +43,7 @@ interface Bench {
   to?: string;
   sample_time?: string;
 }
-/** What was written last: the text of the campaign before it, and the digest of that with it; and in which words that is told. */
+/** The last edit: the campaign's text before it, the digest after it, and its message. */
 interface Written {
   path: string;
   before: string;
@@ -76,7 +76,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const { entries } = await api.project();
   const files = entries.filter((one) => one.kind === "campaign");
   const folder = textBox("campaign"),
-    told = make("div", { "aria-live": "polite" });
+    status = make("div", { "aria-live": "polite" });
   const start = make("button", { type: "submit", class: "main" }, "Copy into this project");
   const form = make("form", { class: "form" }, field("Folder", folder), start);
   form.addEventListener("submit", (event) => {
@@ -84,7 +84,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     const out = folder.value;
     once(start, ask({ kind: "new-campaign", out })).then(
       () => goTo(place, "campaign", { file: `${out}/campaign.toml` }),
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   place.replaceChildren(
@@ -118,7 +118,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Example campaign"),
     make("p", { class: "muted" }, "Ready to run, with synthetic recordings."),
     form,
-    told,
+    status,
   );
 }
 
@@ -186,13 +186,13 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
   const out = textBox(inside("results")),
     force = make("input", { type: "checkbox" });
-  const told = make("div", { "aria-live": "polite" }),
+  const status = make("div", { "aria-live": "polite" }),
     go = make("button", { type: "button", class: "main" }, "Run the campaign");
-  /** Tells that what would be run or checked is the file, and not what stands in its text. */
+  /** Warns that the saved file would be run or checked, not the edited text. */
   const isUnsaved = () => {
     if (own.isTyped()) {
       own.element.open = true;
-      told.replaceChildren(
+      status.replaceChildren(
         problem(new Error(tr("The campaign file has unsaved edits: save or discard them."))),
       );
     }
@@ -209,7 +209,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
         drafts.done({ form: was });
         goTo(place, "campaign", { job: job.id });
       },
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   const check = make("button", { type: "button" }, "Check");
@@ -217,7 +217,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     if (isUnsaved()) return;
     once(check, api.check(path)).then(
       ({ problems, notes }) =>
-        told.replaceChildren(
+        status.replaceChildren(
           ...(problems.length
             ? problems.map(problem)
             : [make("p", { class: "good" }, "No problems found.")]),
@@ -227,7 +227,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
               : advised([one], "p"),
           ),
         ),
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   const reader = make("div", {}),
@@ -293,7 +293,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       "p",
       { class: "muted" },
       make("a", { href: address("campaign") }, "All campaigns"),
-      ` · ${path} · rig `,
+      ` · ${path} · ${tr("rig")} `,
       ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..")
         ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)]
         : [found.rig]),
@@ -309,7 +309,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       check,
       go,
     ),
-    told,
+    status,
     make("h2", {}, "Parts"),
     ...(parts.length
       ? parts.map((one) => one.element)
@@ -402,7 +402,7 @@ function textOf(
     }),
     save = make("button", { type: "button", disabled: true }, "Save"),
     away = make("button", { type: "button", disabled: true }, "Discard"),
-    told = make("div", { "aria-live": "polite" });
+    status = make("div", { "aria-live": "polite" });
   area.value = file.text;
   let before = area.value;
   const isTyped = () => area.value !== before,
@@ -421,7 +421,7 @@ function textOf(
     ),
     area,
     make("div", { class: "bar" }, save, away),
-    told,
+    status,
   );
   const own = {
     element,
@@ -439,7 +439,7 @@ function textOf(
   away.addEventListener("click", () => {
     area.value = before;
     offer();
-    told.replaceChildren();
+    status.replaceChildren();
   });
   save.addEventListener("click", () => {
     const now = area.value;
@@ -452,7 +452,7 @@ function textOf(
         }
         goTo(place, "campaign", { file: path, saved: String(Date.now()) });
       },
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   return own;
@@ -476,7 +476,7 @@ type Link = (
   given?: Partial<Bench>,
 ) => HTMLElement;
 
-/** One measured part: its files, and what they amount to, asked at once. */
+/** One measured part: its files and its fit. */
 function part(
   one: Bench,
   whole_: Overview,
@@ -522,10 +522,10 @@ function part(
             intercept: intercept.value,
             branch: one.branch ?? "loading",
           },
-    (told) => [
-      estimates(told.result as Record<string, unknown>, decays ? "decay" : "stiffness"),
-      report(told.report, decays ? "Free decay with dry friction" : "Fit, with the ignored zone"),
-      ways(told),
+    (reply) => [
+      estimates(reply.result as Record<string, unknown>, decays ? "decay" : "stiffness"),
+      report(reply.report, decays ? "Free decay with dry friction" : "Fit, with the ignored zone"),
+      snippets(reply),
     ],
   );
   const element = make(
@@ -556,7 +556,7 @@ function part(
   };
 }
 
-/** Estimates with their 95 % intervals, and what the reader must know. */
+/** Estimates with 95 % intervals, and findings. */
 function estimates(found: Record<string, unknown>, kind: keyof typeof ESTIMATES): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
@@ -603,7 +603,7 @@ function entry(
   used: (was: Typed) => void,
 ): Opened {
   const place = make("div", {}),
-    told = make("div", { "aria-live": "polite" });
+    status = make("div", { "aria-live": "polite" });
   const like = whole_.trials
     .filter((one) => one.file && Object.keys((one.columns as object | undefined) ?? {}).length)
     .reverse()
@@ -712,9 +712,9 @@ function entry(
       async (answer) => {
         written_ = (await answer.json()) as Written;
         used(was);
-        goTo(told, "campaign", { file: path, entered: String(Date.now()) });
+        goTo(status, "campaign", { file: path, entered: String(Date.now()) });
       },
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   place.append(reading.element);
@@ -733,7 +733,7 @@ function entry(
     make("h3", {}, file),
     place,
     make("div", { class: "form" }, field("Type of measurement", use), fields, go),
-    told,
+    status,
   );
   let first = JSON.stringify(typed());
   return {
@@ -865,7 +865,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
   );
 }
 
-/** A search while it goes on: its objective step by step, and every parameter between its bounds. */
+/** A running search: its objective over the steps, and each parameter between its bounds. */
 function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   const last = steps[steps.length - 1]!,
     logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
@@ -925,7 +925,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   );
 }
 
-/** The rigs that a campaign wrote, to go on with. */
+/** Links to the rigs that a campaign wrote. */
 function updated(folder: string): HTMLElement {
   const section = make("section", { hidden: true }),
     list = make("ul", {});
@@ -1024,7 +1024,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
         Object.entries(one.parameters).map(([path, p]) => {
           const law = one.discrepancy?.parameters[path];
           const { unit, factor } = units(path);
-          const told = law
+          const readings = law
             ? [law.component, law.effective]
                 .map((reading) => written(reading.value * factor))
                 .join(" / ")
@@ -1040,7 +1040,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
             unit,
             written(p.initial * factor),
             value!,
-            ...(one.discrepancy ? [told] : []),
+            ...(one.discrepancy ? [readings] : []),
             interval!,
             `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
             p.at_bound
@@ -1133,7 +1133,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
 }
 
 type Units = (path: string) => { unit: string; factor: number };
-/** Units in which numbers of a campaign's rig are shown; SI where the rig cannot be asked. */
+/** Display units of the parameters of a campaign's rig; SI if the rig is not available. */
 async function unitsOf(path: string): Promise<Units> {
   const known = new Map<string, { unit: string; factor: number }>();
   try {

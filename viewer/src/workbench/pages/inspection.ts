@@ -1,11 +1,11 @@
-/** Shock-absorber inspection: records read and graded with their protocol, the history of a vehicle, and the store searched. */
+/** Shock-absorber inspection: evaluate and grade records, search the store, and show the history of a vehicle. */
 
 import { make, written } from "../../page";
 import { isGerman, localised, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { dropZone, Question, report, type Told } from "../jobs";
-import { field, optional, select, textBox, ways } from "../parts";
+import { dropZone, Question, type Reply, report } from "../jobs";
+import { field, optional, select, snippets, textBox } from "../parts";
 import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
@@ -121,7 +121,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   );
 }
 
-/** Puts names into a choice that has them not. */
+/** Adds missing names to a choice. */
 function offer(choice: HTMLSelectElement, names: string[]): void {
   const known = new Set([...choice.options].map((one) => one.value));
   choice.append(
@@ -182,13 +182,13 @@ function evaluation(
         language: language.value,
       };
     },
-    (told: Told<Graded>, asked) => {
+    (reply: Reply<Graded>, asked) => {
       used(was);
-      if (told.result.store) stored(asked.store);
+      if (reply.result.store) stored(asked.store);
       return [
-        ...graded(told.result),
-        report(told.report, "Test report", asked.language),
-        ways(told),
+        ...graded(reply.result),
+        report(reply.report, "Test report", asked.language),
+        snippets(reply),
       ];
     },
   );
@@ -235,7 +235,7 @@ function evaluation(
   return { element: make("div", {}, none, whole), here, controls };
 }
 
-/** Verdicts first, then what was measured of every wheel, and why it is graded so. */
+/** Verdicts first, then the values of each wheel, and the reasons. */
 function graded(found: Graded): HTMLElement[] {
   const { wheels } = found,
     shown: HTMLElement[] = [];
@@ -325,7 +325,7 @@ function graded(found: Graded): HTMLElement[] {
   return shown;
 }
 
-/** The day where the page is, which is another one than in Greenwich for some hours. */
+/** Today's date in local time. */
 function today(): string {
   const now = new Date(),
     two = (part: number) => String(part).padStart(2, "0");
@@ -363,7 +363,7 @@ function simulated(
         out: out.value,
       };
     },
-    (told, asked) => {
+    (reply, asked) => {
       used(was);
       return [
         make(
@@ -372,7 +372,7 @@ function simulated(
           `${asked.out} was saved. `,
           make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate"),
         ),
-        ways(told),
+        snippets(reply),
       ];
     },
   );
@@ -432,10 +432,10 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
       since: since.value,
       until: until.value,
     }),
-    (told: Told<{ records: Stored[] }>, asked) => {
-      const { records } = told.result;
+    (reply: Reply<{ records: Stored[] }>, asked) => {
+      const { records } = reply.result;
       if (!records.length)
-        return [make("p", { class: "empty" }, "No matching records."), ways(told)];
+        return [make("p", { class: "empty" }, "No matching records."), snippets(reply)];
       const rows = records.map((one) => {
         const button = make(
           "button",
@@ -454,7 +454,7 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
               make("h3", {}, `History of ${found.result.plate}`),
               ...trends(found.result.trends),
               report(found.report, "Every visit"),
-              ways(found),
+              snippets(found),
             ],
           );
           history.replaceChildren(past.place);
@@ -477,7 +477,7 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
           [],
           `${records.length} record${records.length === 1 ? "" : "s"}`,
         ),
-        ways(told),
+        snippets(reply),
       ];
     },
   );

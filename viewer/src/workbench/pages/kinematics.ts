@@ -1,4 +1,4 @@
-/** A corner over travel, rack or roll: its mechanism, every curve of the catalogue, what is wanted, and designs from that. */
+/** A corner over travel, rack or roll: mechanism, curves of the catalogue, targets, and designs from targets. */
 
 import { Store } from "../../data";
 import { type Centres, MechanismView } from "../../mechanism";
@@ -8,7 +8,7 @@ import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, Outdated, once, problem, Sliders, Steps, Ways } from "../parts";
+import { field, LiveSnippets, Newest, Outdated, once, problem, Sliders, Steps } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
@@ -17,7 +17,7 @@ import { address, choose, type Page, setLive, type Values } from "../shell";
 export const kinematics: Page = { label: "Kinematics", show };
 
 type Over = "travel" | "rack" | "roll";
-/** What is not in the file yet when its page is made anew, because it was written: targets, and what was moved meanwhile. */
+/** State that survives the reload after saving: targets, and changes made meanwhile. */
 interface Kept {
   rig: string;
   said: string;
@@ -138,7 +138,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 
   const state = make("p", { class: "state", role: "status" }),
     notes = make("div", {}),
-    same = new Ways(),
+    same = new LiveSnippets(),
     outdated = new Outdated(rig);
   const over = make(
     "select",
@@ -250,7 +250,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       pose();
     }
   });
-  /** Puts the mechanism into a pose of the sweep that is there, which is not always the one that is wanted. */
+  /** Moves the mechanism to a pose of the current sweep, which may not be the requested one yet. */
   const pose = () => {
     const drive = drives[swept];
     const x = Math.min(Math.max(drive.value, last.low), last.high);
@@ -524,7 +524,7 @@ function nearest(grid: number[], value: number): number {
   return best;
 }
 
-/** Targets that are typed: what is wanted of a quantity, where, and how exactly. */
+/** Editor of targets: quantity, value, place and tolerance. */
 class Targets {
   readonly element = make("div", {});
   private readonly quantity = make("select", {});
@@ -591,7 +591,7 @@ class Targets {
     this.element.append(make("div", { class: "table" }, make("table", {}, this.rows)), add);
     this.list();
   }
-  /** Puts the quantities of the curves into the choice. */
+  /** Offers the quantities of the curves. */
   offer(): void {
     const names = this.quantities().map((one) => one.name);
     if (names.join() === this.known) return;

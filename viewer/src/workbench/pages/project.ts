@@ -1,4 +1,4 @@
-/** What lies in the folder, what to do next, the way to a first rig, and the runs that were kept. */
+/** Files of the folder, next steps, copying a first rig, and saved runs. */
 
 import { Store } from "../../data";
 import { make, written } from "../../page";
@@ -6,7 +6,7 @@ import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
-import { field, once, problem, ways } from "../parts";
+import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
 import { address, goTo, type Page } from "../shell";
 import { table } from "../table";
@@ -30,7 +30,7 @@ interface Begun {
   asked: Record<string, unknown> | null;
 }
 
-/** What pages are called on which something is entered. */
+/** Labels of the pages with unsaved changes. */
 const LABELS: Record<string, string> = {
   rig: "Rig",
   kinematics: "Kinematics",
@@ -39,7 +39,7 @@ const LABELS: Record<string, string> = {
   inspection: "Inspection",
   studies: "Studies",
 };
-/** Where a file of a kind opens, and in which words. */
+/** Pages that open a kind of file, with the words of their links. */
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   rig: [
     ["rig", "name", "edit"],
@@ -114,7 +114,7 @@ async function show(place: HTMLElement): Promise<void> {
   choice.addEventListener("change", () => {
     target.value = `${choice.value}.toml`;
   });
-  const told = make("div", { "aria-live": "polite" });
+  const status = make("div", { "aria-live": "polite" });
   const copy = make("button", { type: "submit", class: "main" }, tr("Copy into this project"));
   const form = make(
     "form",
@@ -127,7 +127,7 @@ async function show(place: HTMLElement): Promise<void> {
     event.preventDefault();
     once(copy, api.start(choice.value, target.value)).then(
       (made) => goTo(place, "rig", { name: made.path }),
-      (error) => told.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   place.replaceChildren(
@@ -151,18 +151,18 @@ async function show(place: HTMLElement): Promise<void> {
         ),
     make("h2", {}, tr("Start from an example")),
     form,
-    told,
+    status,
     ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
   );
 }
 
-/** A sweep, and how far it is: what is not finished can go on. */
+/** State of a sweep; an unfinished one can be resumed. */
 const how = ({ finished, count }: api.Entry): string =>
   count === null
     ? tr("sweep's results")
     : `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written((100 * (finished ?? 0)) / (count || 1), 3)} %`)}`;
 
-/** What was entered on other pages and not saved. */
+/** Unsaved changes of other pages. */
 function unsaved(drafts: Lying[]): HTMLElement {
   const section = make("section", {
     class: "drafts",
@@ -198,7 +198,7 @@ function unsaved(drafts: Lying[]): HTMLElement {
   return section;
 }
 
-/** What there is to do with what lies here. */
+/** Suggested next steps. */
 function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
   const of = (kind: string) => entries.filter((one) => one.kind === kind),
     [rig] = of("rig"),
@@ -292,7 +292,7 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
     : make("section", { hidden: true });
 }
 
-/** Runs with what they were made of; those that are chosen are drawn over each other. */
+/** Saved runs with their inputs; selected ones are overlaid. */
 function history(kept: Kept[]): HTMLElement {
   const boxes = kept.map((one, i) =>
       make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 }),
@@ -314,7 +314,7 @@ function history(kept: Kept[]): HTMLElement {
         const store = inWords(Store.of(answer));
         out.replaceChildren(
           new Player(store.content.viewers[0]!, store).element,
-          ways(store.content as unknown as api.Answer),
+          snippets(store.content as unknown as api.Answer),
         );
       },
       (error) => out.replaceChildren(problem(error)),

@@ -1,11 +1,11 @@
-/** A record as it is written, however long: what is seen comes from the server with its peaks, for every zoom. */
+/** A record of any length: the server sends the visible part with its peaks at every zoom. */
 
 import { Store } from "../../data";
 import { make, toggle, whenColoursChange } from "../../page";
 import { LinkedPlots } from "../../plots";
 import { localised, tr } from "../../words";
 import * as api from "../api";
-import { Newest, Ways } from "../parts";
+import { LiveSnippets, Newest } from "../parts";
 import { asSaid } from "../refusals";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
@@ -34,7 +34,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   if (!place.isConnected) return;
   const shown = new Set(about.channels.slice(0, AT_FIRST).map((one) => one.name)),
     newest = new Newest(),
-    same = new Ways(),
+    same = new LiveSnippets(),
     times: number[] = [];
   setLive({ times });
   const state = make("p", { class: "state", role: "status" });

@@ -9,16 +9,16 @@ import { Drafts, enter, entered } from "../drafts";
 import {
   accompany,
   begin,
+  failures,
   follow,
   JobCard,
   jobList,
   Question,
   report,
   titled,
-  undone,
   whole,
 } from "../jobs";
-import { field, once, problem, select, textBox, ways } from "../parts";
+import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
@@ -214,7 +214,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   offers.replaceChildren(drafts.element);
 }
 
-/** Rides of any jobs that are done, up to six of any vehicles, over each other: over time, and as spectra. */
+/** Overlays up to six finished rides of any vehicles, over time and as spectra. */
 function overlay(): HTMLElement {
   interface One {
     vehicle: string;
@@ -240,7 +240,7 @@ function overlay(): HTMLElement {
   const question = new Question<Drawn>(
     "Draw",
     () => ({ kind: "overlay", rides: [...chosen.values()] }),
-    ({ result, ...told }) => {
+    ({ result, ...reply }) => {
       const holder = make("div", {});
       void Store.open(JSON.stringify(result.content))
         .then(inWords)
@@ -258,7 +258,7 @@ function overlay(): HTMLElement {
         ),
         ...result.notes.map((text) => make("p", { class: "muted" }, text)),
         holder,
-        ways(told),
+        snippets(reply),
       ];
     },
   );
@@ -469,8 +469,8 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
       if (!end.result) return;
       results.replaceChildren(
         ...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)),
-        ...undone("runs" in end.result ? end.result : null),
-        ways(end),
+        ...failures("runs" in end.result ? end.result : null),
+        snippets(end),
         ...(end.has_page
           ? [
               report(
@@ -484,7 +484,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
   );
 }
 
-/** Controllers beside each other; the best of each merit is marked. */
+/** Comparison of controllers; the best value of each merit is marked. */
 function merits(found: Compared): HTMLElement[] {
   const shown = MERITS.filter(([name]) =>
     found.runs.some((one) => Number.isFinite(one.merits[name])),
@@ -538,7 +538,7 @@ function merits(found: Compared): HTMLElement[] {
   ];
 }
 
-/** The front as dots that open as rides, with the rig as it is and the best dampers beside it. */
+/** The front as points that open as rides, with the present rig and single optimum dampers. */
 function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
   interface Point {
     name: string;

@@ -1,4 +1,4 @@
-/** A rig: its form and its text in step, its mechanism with hardpoints that are dragged, what a save would change. */
+/** A rig: synchronised form and text, its mechanism with draggable hardpoints, and a review before saving. */
 
 import { Store } from "../../data";
 import { MechanismView } from "../../mechanism";
@@ -7,7 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
-import { copied, InTurn, Newest, problem, Ways } from "../parts";
+import { copied, InTurn, LiveSnippets, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { advised } from "../refusals";
 import { address, choose, type Page, type Values, VEHICLES } from "../shell";
@@ -55,7 +55,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   let shown = held(saved.text),
     reviewed: string | null = null,
     strokes = 0; // what was asked about last, what a save would write, and how often something was typed
-  const told = make("div", { class: "told", "aria-live": "polite" }),
+  const status = make("div", { class: "told", "aria-live": "polite" }),
     unseen = make("div", { "aria-live": "polite" }),
     difference = make("div", {});
   const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")),
@@ -65,13 +65,13 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       (error) => {
         said?.remove();
         said = problem(error);
-        told.prepend(said);
+        status.prepend(said);
       },
       () => display(),
     ),
     pictures = new Newest();
   let drawing = Promise.resolve();
-  const same = new Ways(),
+  const same = new LiveSnippets(),
     form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
   const view = new MechanismView(true),
     stage = make("div", { class: "player bare", hidden: true }, view.element);
@@ -170,7 +170,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     if (found.rig) moves.hidden = !found.rig.spatial;
     isOld = true;
   };
-  /** Shows what was taken last, once nothing is under way: an earlier answer knows nothing of what was set since. */
+  /** Shows the latest state once all requests have finished: earlier answers lack later edits. */
   const display = async () => {
     buttons();
     if (!isOld || !state || !place.isConnected) return;
@@ -194,7 +194,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         ),
       ),
     );
-    told.replaceChildren(
+    status.replaceChildren(
       ...(said ? [said] : []),
       ...(all.length
         ? all
@@ -374,7 +374,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       moves,
     ),
     drafts.element,
-    told,
+    status,
     make("div", { class: "bar" }, save, undo, redo),
     difference,
     unseen,

@@ -1,4 +1,4 @@
-/** Many variants of a rig: what varies and how, the sweep as a job, and what came of it. */
+/** Studies: write what varies and how, run the sweep as a job, and show its results. */
 
 import { make, written } from "../../page";
 import { heard, tr } from "../../words";
@@ -6,7 +6,7 @@ import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { begin, follow, JobCard, jobList, report, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, once, problem, select, textBox, ways } from "../parts";
+import { field, once, problem, select, snippets, textBox } from "../parts";
 import { advised, asSaid } from "../refusals";
 import { address, type Page, type Values, VEHICLES } from "../shell";
 import { row, table } from "../table";
@@ -94,18 +94,25 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     ?.focus();
 }
 
-/** A button that begins the sweep of a study that lies here. */
+/** A button that starts the sweep of a study of this project. */
 function starter(path: string): HTMLElement {
   const out = path.replace(/\.toml$/, "-swept"),
-    told = make("span", {});
+    status = make("span", {});
   const button = make("button", { type: "button", "aria-label": `Start ${path}` }, "Start");
   button.addEventListener("click", () => {
     once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(
-      () => told.replaceChildren(),
-      (error) => told.replaceChildren(problem(error)),
+      () => status.replaceChildren(),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
-  return make("span", {}, button, " ", make("small", { class: "muted" }, tr("into #", out)), told);
+  return make(
+    "span",
+    {},
+    button,
+    " ",
+    make("small", { class: "muted" }, tr("into #", out)),
+    status,
+  );
 }
 
 const DESIGNS: Record<string, [string, boolean]> = {
@@ -145,7 +152,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     duration = textBox("1.5 s");
   const name = textBox("study.toml"),
     out = textBox("swept");
-  const told = make("div", { "aria-live": "polite" });
+  const status = make("div", { "aria-live": "polite" });
   name.addEventListener("change", () => {
     out.value = `${name.value.replace(/\.toml$/, "")}-swept`;
   });
@@ -250,7 +257,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   };
   const load = async () => {
     const name = rig.value;
-    told.replaceChildren();
+    status.replaceChildren();
     rows.replaceChildren(); // the numbers of another rig are none to be edited
     isLoaded = false;
     buttons();
@@ -272,7 +279,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       isLoaded = true;
       buttons();
     } catch (error) {
-      if (rig.value === name) told.replaceChildren(problem(error));
+      if (rig.value === name) status.replaceChildren(problem(error));
     }
   };
   let loading = Promise.resolve();
@@ -345,7 +352,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     return made;
   };
   const form = make("form", {});
-  /** One is written at a time: a second would replace what it does not know. */
+  /** Writes one study at a time: a second request would overwrite an unknown state. */
   const write = (then: (made: { count: number; path: string }) => Promise<(Node | string)[]>) => {
     isWriting = true;
     buttons();
@@ -355,7 +362,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       .then((said) => {
         isWriting = false;
         buttons();
-        told.replaceChildren(...said);
+        status.replaceChildren(...said);
       });
   };
   save.addEventListener("click", () =>
@@ -366,7 +373,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     const into = out.value;
     write(async (made) => {
       const job = await begin({ kind: "sweep", study: made.path, out: into });
-      return [make("p", { class: "good" }, `${made.count} variants started.`), ways(job)];
+      return [make("p", { class: "good" }, `${made.count} variants started.`), snippets(job)];
     });
   });
   more.addEventListener("click", () => add());
@@ -399,7 +406,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       save,
       go,
     ),
-    told,
+    status,
   );
   offerRoad();
   await load();
@@ -467,13 +474,13 @@ async function showSweep(
   const brushes = new Brushes(sweep.columns),
     rows = sweep.variants.length,
     { summary } = sweep;
-  const told = make("p", { class: "state", role: "status" }),
+  const status = make("p", { class: "state", role: "status" }),
     chosen = make("tbody", {});
   const clear = make("button", { type: "button" }, "All variants");
   clear.addEventListener("click", () => brushes.clear());
   const select = () => {
     const kept = brushes.chosen.flatMap((one, row) => (one ? [row] : []));
-    told.textContent =
+    status.textContent =
       heard(`${kept.length} of ${rows} variants`) +
       (rows < sweep.finished ? heard(` shown, of ${sweep.finished}`) : "") +
       (brushes.picked >= 0 ? heard(`; variant ${sweep.variants[brushes.picked]} is marked`) : "");
@@ -549,7 +556,7 @@ async function showSweep(
       "Drag along an axis to filter the variants; click the axis to clear the filter.",
     ),
     parallel(brushes),
-    make("div", { class: "bar" }, told, clear),
+    make("div", { class: "bar" }, status, clear),
     ranges(brushes),
     ...(metrics.length ? [matrix(brushes)] : []),
     table(
@@ -559,12 +566,12 @@ async function showSweep(
       sweep.columns.map((_, k) => k + 1),
       "First selected variants",
     ),
-    ...(job ? [ways(job)] : []),
+    ...(job ? [snippets(job)] : []),
     ...(job?.has_page ? [report(job.report, "Report")] : []),
   );
 }
 
-/** A sweep that goes on: how far it is; what is finished may be looked at, and all of it is shown at its end. */
+/** A running sweep: its progress and a link to the results so far; the final results follow. */
 function showRunning(place: HTMLElement, job: Whole, folder: string): void {
   const card = new JobCard(job);
   place.replaceChildren(
@@ -603,7 +610,7 @@ function statistics(summary: Summary, metrics: Column[]): HTMLElement {
   );
 }
 
-/** The address of a variant as a trial: its numbers, and what the study drives over. */
+/** Address of a variant as a trial, with its parameters and the road of the study. */
 function opened(sweep: Sweep, row: number): string {
   const run = sweep.run!,
     changes: Record<string, number> = {};
