@@ -40,7 +40,8 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
         return answer(operation, given)
 
     own = [_parameter(parameter) for parameter in operation.parameters]
-    files = [(OUTPUTS[offer].option, OUTPUTS[offer].kind, None) for offer in operation.offers]
+    offers = [OUTPUTS[offer] for offer in operation.offers if offer not in _own(operation)]
+    files = [(offer.option, offer.kind, None) for offer in offers]
     force = [("force", Force, False)] if files else []
     shared = [*files, *force, ("as_json", AsJson, False)]
     own += [inspect.Parameter(name, _KEYWORD, default=default, annotation=kind) for name, kind, default in shared]
@@ -52,6 +53,12 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
 
 
 _KEYWORD = inspect.Parameter.KEYWORD_ONLY
+
+
+def _own(operation: Operation) -> list[str]:
+    """Offers whose option is a parameter of the function, which fills that folder itself."""
+    options = {parameter.option for parameter in operation.parameters}
+    return [offer for offer in operation.offers if OUTPUTS[offer].option in options]
 
 
 def _parameter(parameter: Parameter) -> inspect.Parameter:
@@ -79,7 +86,7 @@ def _python_name(parameter: Parameter) -> str:
 def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     """Run an operation with what the command line gave, write what is asked for, and answer."""
     asked = {offer: given[OUTPUTS[offer].option] for offer in operation.offers}
-    files = Files(asked, force=given.get("force", False))
+    files = Files(asked, given.get("force", False), _own(operation))
     files.check()
     if operation.check:
         resolve(operation.check)(**given)

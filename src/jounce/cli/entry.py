@@ -25,7 +25,6 @@ from jounce.cli import (
     pictures,
     serve,
     study,
-    sweep,
 )
 from jounce.cli.derived import derived
 from jounce.cli.everywhere import as_usual, completed, open_pages
@@ -80,7 +79,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "ride": derived("ride"),
             "ride-metrics": derived("ride-metrics"),
             "compare": derived("compare"),
-            "sweep": sweep.sweep,
+            "sweep": derived("sweep"),
             "iri": derived("iri"),
         },
         "Kinematics and design": {
@@ -244,6 +243,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort) as error:
+        for note in getattr(error, "__notes__", ()):
+            tell(note)
         tell(INTERRUPTED)
         return 128 + signal_of(error)  # as shells count
     except (BrokenPipeError, SystemExit):  # nobody reads any more; the help's console ends the process then

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -21,6 +21,7 @@ from jounce.cli.options import (
     write_report,
     write_rig,
 )
+from jounce.cli.reply import drawing
 from jounce.core.findings import not_drawn
 from jounce.operations.index import Operation, resolve
 
@@ -140,6 +141,22 @@ def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
     return ()
 
 
+def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
+    """Write what was computed, and then the page with its pictures beside it."""
+    from jounce.plots.figures import rendered
+    from jounce.report import Picture, write_page
+
+    def page() -> Page:
+        whole = answered.page()
+        pictures = [picture for picture in whole.pictures() if isinstance(picture, Picture)]
+        drawn = {f"{picture.name}.png": rendered(picture.figure, [".png"])[".png"] for picture in pictures}
+        return replace(whole, files=tuple(drawn.items()))
+
+    with drawing() as missing:
+        write_page(page, folder, files=answered.result.files(), force=force)
+    return missing
+
+
 def _report(answered: Answered, file: Path, force: bool) -> Missing:
     return write_report(answered.page, file, force=force)[1]
 
@@ -168,6 +185,12 @@ OUTPUTS: Mapping[str, Output] = {
         lambda file, force: check_outputs(folder=file, force=force),
         _figures,
     ),
+    "folder": Output(
+        "out",
+        _out("Write report, rigs, results, tables and pictures into this folder.", "DIR"),
+        lambda file, force: check_outputs(folder=file, force=force),
+        _folder,
+    ),
     "report": Output("report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report),
 }
 """What an operation may offer (`jounce.core.operation.Offer`)."""
@@ -175,22 +198,27 @@ OUTPUTS: Mapping[str, Output] = {
 
 @dataclass(frozen=True)
 class Files:
-    """The files that a command line asks for, by offer; None where none is asked for."""
+    """The files that a command line asks for, by offer; None where none is asked for.
 
-    asked: Mapping[str, Path | None]
+    A folder that the function fills itself (``own``) is its to refuse.
+    """
+
+    asked: Mapping[str, Path | str | None]
     force: bool
+    own: Collection[str] = ()
 
     def check(self) -> None:
         """Refuse files that could not be written."""
         for offer, file in self.asked.items():
-            if file is not None:
-                OUTPUTS[offer].check(file, self.force)
+            if file is not None and offer not in self.own:
+                OUTPUTS[offer].check(Path(file), self.force)
 
     def write(self, answered: Answered) -> Missing:
         """Write the files, name them in the plain answer, and give what could not be drawn."""
         missing: list[Finding] = []
         for offer, file in self.asked.items():
-            lost = () if file is None else OUTPUTS[offer].write(answered, file, self.force)
+            force = self.force or offer in self.own
+            lost = () if file is None else OUTPUTS[offer].write(answered, Path(file), force)
             answered.plain[OUTPUTS[offer].option] = None if file is None or lost else str(file)
             missing += lost
         return missing

@@ -41,3 +41,8 @@ def _for_windows(word: str) -> str:
         return "'" + word.replace("'", "''") + "'"
     plain = subprocess.list2cmdline([word])
     return plain if plain.startswith('"') else f'"{plain}"'
+
+
+def typed_command(word: str) -> str:
+    """Give the command line of this process where its command is that word; empty for any other process."""
+    return command_line(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == [word] else ""

@@ -70,7 +70,7 @@ class Request:
                 words += parameter.mark.texts(value)
             elif value is True:
                 words.append(parameter.flag)
-            elif value != parameter.default:
+            elif value is not False and value != parameter.default:
                 words += [f"{parameter.flag}={text}" for text in parameter.mark.texts(value)]
         return words
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
@@ -84,12 +86,12 @@ def sweep_page(
     parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(found))}
     if summary.metrics and summary.influences:
         parts["What matters"] = lambda: Section("What matters", _matters(summary, data))
-        parts["Scatter"] = lambda: _pictured("Scatter", scatter_matrix(data), "scatter", _SCATTER)
+        parts["Scatter"] = lambda: _pictured("Scatter", partial(scatter_matrix, data), "scatter", _SCATTER)
         parts["Parallel coordinates"] = lambda: _pictured(
-            "Parallel coordinates", parallel_coordinates(data), "parallel", _PARALLEL
+            "Parallel coordinates", partial(parallel_coordinates, data), "parallel", _PARALLEL
         )
     if "time" in data.dims and summary.ran:
-        parts["Bands over time"] = lambda: _pictured("Bands over time", variant_bands(data), "bands", _BANDS)
+        parts["Bands over time"] = lambda: _pictured("Bands over time", partial(variant_bands, data), "bands", _BANDS)
     if runs:
         shown = dict(runs)
         parts["Curves"] = lambda: Section("Curves", _curves(shown, title, rig, trial))
@@ -97,6 +99,22 @@ def sweep_page(
     sections, missing = sections_of(parts)
     drawn = f"{summary.ran} of {summary.count} variants ran"
     return Page(title, sections, f"Sweep; {drawn}", missing=missing)
+
+
+def sweep_result_page(found: SweepResult, *, title: str) -> Page:
+    """Put a sweep on a page with the study that its file holds, and the runs of its extremes."""
+    from jounce.variants.study import extreme_runs, read_sweep
+
+    sweep = read_sweep(found.study)
+    text = Path(found.study).read_text(encoding="utf-8")
+    work, page = sweep.work.study, sweep_page(found, title=title, study=text)
+
+    def curves() -> tuple[Block, ...]:
+        runs = extreme_runs(sweep, found.data)
+        return _curves(runs, title, work.rig, work.trial) if runs else ()
+
+    *others, made = page.sections
+    return replace(page, sections=(*others, Section("Curves", curves), made))
 
 
 _SCATTER = (
@@ -108,8 +126,8 @@ _BANDS = "Median of the channels over the variants, with bands that hold half an
 _TORNADO = "Means of the metrics where each number is low and high, and indices with 95 % intervals."
 
 
-def _pictured(title: str, figure: Figure, name: str, words: str) -> Section:
-    return Section(title, (Picture(figure, name, words, words),))
+def _pictured(title: str, draw: Callable[[], Figure], name: str, words: str) -> Section:
+    return Section(title, lambda: (Picture(draw(), name, words, words),))
 
 
 def _answer(found: SweepResult) -> tuple[Block, ...]:
@@ -179,7 +197,7 @@ def _share(measure: Mapping[str, Any]) -> str:
 
 
 def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
-    return Picture(tornado(data), "tornado", _TORNADO, _TORNADO), *(
+    return Picture(partial(tornado, data), "tornado", _TORNADO, _TORNADO), *(
         _table(summary, one.name) for one in summary.metrics
     )
 

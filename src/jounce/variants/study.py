@@ -13,7 +13,8 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
 from jounce.core.errors import JounceError
-from jounce.core.serialise import Plain
+from jounce.core.serialise import Plain, to_json
+from jounce.core.text import guarded
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime, Unit
 from jounce.core.writing import resolved
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 
     from jounce.control import Controller
 
+_MOST_ROWS = 100_000
+"""Variants of a table that spreadsheets still open."""
 SCHEMA: Literal["jounce.sweep/1"] = "jounce.sweep/1"
 Layout = Literal["list", "grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 
@@ -124,6 +127,25 @@ class SweepResult(Plain):
     seed: int | None
     summary: Summary
     data: xr.Dataset = field(repr=False)
+
+    @property
+    def is_met(self) -> bool:
+        """Whether a variant ran."""
+        return bool(self.summary.ran)
+
+    def files(self) -> dict[str, bytes | str]:
+        """Give the study, the summary, and a table of the variants by the names of their files."""
+        study = Path(self.study).read_text(encoding="utf-8")
+        return {"study.toml": study, "summary.json": f"{to_json(self)}\n", "variants.csv": self.table()}
+
+    def table(self) -> str:
+        """Give the variants with their numbers and metrics as CSV, SI; the first ones where there are very many."""
+        data = self.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
+        names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
+        frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
+        header = {name: guarded(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names}
+        frame = frame.map(lambda cell: guarded(cell) if isinstance(cell, str) else cell)
+        return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
 
 def run_sweep(

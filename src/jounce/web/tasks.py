@@ -108,10 +108,9 @@ class SweepTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         study, out = _file(project, self.study), _folder(project, self.out)
-        more = ["--resume"] if self.resume else ["--force"] if self.force else []
-        said = ", resume=True" if self.resume else ", force=True" if self.force else ""
-        python = f"import jounce as jn\n\nresult = jn.run_sweep({study!r}, {out!r}{said})\nprint(result)\n"
-        return Doing(f"Sweep {Path(study).stem}", ["sweep", study, f"--out={out}", *more], python=python, out=out,
+        given = {"study": study, "out": out, "resume": self.resume, "force": self.force and not self.resume}
+        request = _request("sweep", given)
+        return Doing(f"Sweep {Path(study).stem}", request.words(), python=request.python(), out=out,
                      page=f"{out}/report.html")  # fmt: skip
 
 
