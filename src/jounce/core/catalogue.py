@@ -1,7 +1,7 @@
 """What findings say, in English and German: one ``findings.toml`` a package, beside the code that finds them.
 
 A row has a severity and a sentence of each language; ``{name}`` is a number or a text that a finding carries. Numbers
-are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{share:.0f %}`` writes 0.25 as ``25 %``. Words that are
+are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{low:.3g ~mm}`` as ``12.3``. Words that are
 filled in (``bump``, ``left``) have their German in the table ``words``. A file is read when a code of it is used.
 """
 
@@ -20,10 +20,10 @@ Severity = Literal["note", "warning", "problem"]
 Language = Literal["en", "de"]
 FACTORS = {
     "mm": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "deg/s": 180.0 / math.pi, "ms": 1e3, "us": 1e6, "um": 1e6,
-    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "kJ": 1e-3, "kW": 1e-3, "bar": 1e-5, "cm": 1e2, "km/h": 3.6,
+    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "kJ": 1e-3, "kW": 1e-3, "bar": 1e-5, "MPa": 1e-6, "cm": 1e2, "km/h": 3.6,
     "min": 1.0 / 60.0, "MB": 1e-6,
 }  # fmt: skip
-"""Shown value of one SI unit, by the unit that stands in a sentence; other units are SI themselves."""
+"""Shown value of one SI unit, by the unit that may stand behind a format; what stands beside the field is SI."""
 _PACKAGES = Path(__file__).parent.parent
 
 
@@ -106,10 +106,13 @@ class _Filled(string.Formatter):
             return ", ".join(self.format_field(item, format_spec) for item in value)
         if isinstance(value, str):
             return format(", ".join(self.words.get(word, word) for word in value.split(", ")), digits)
-        text = format(value * FACTORS.get(unit, 1.0) if unit else value, digits)
-        if self.decimal != ".":
-            text = text.replace(".", self.decimal)
-        return f"{text} {_GERMAN_UNITS.get(unit, unit) if self.language == 'de' else unit}" if unit else text
+        unit, is_written = unit.removeprefix("~"), not unit.startswith("~")
+        text = format(value * FACTORS[unit] if unit else value, digits).replace(".", self.decimal)
+        return (
+            f"{text} {_GERMAN_UNITS.get(unit, unit) if self.language == 'de' else unit}"
+            if unit and is_written
+            else text
+        )
 
 
 _GERMAN_UNITS = {"deg": "°", "deg/s": "°/s"}

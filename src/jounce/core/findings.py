@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, get_args
+from typing import Any, SupportsFloat, get_args
 
 from jounce.core.catalogue import Language, Severity, row_of, sentence
 from jounce.core.errors import JounceError, OutputError
@@ -68,7 +68,7 @@ class Finding(Shown):
 
 
 def finding(
-    code: str, place: str, value: float | None = None, /, *, severity: Severity | None = None, **numbers: Any
+    code: str, place: str, value: SupportsFloat | None = None, /, *, severity: Severity | None = None, **numbers: Any
 ) -> Finding:
     """Make a finding of a row of the catalogue of a package (see `jounce.core.catalogue`).
 

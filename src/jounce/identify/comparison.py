@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.identify.warping import warping_path
@@ -197,17 +197,20 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
     findings = []
     if abs(sample_rate - SAMPLE_RATE) > 1e-6 * SAMPLE_RATE:
         if sample_rate < SAMPLE_RATE:
-            text = f"recorded at {sample_rate:g} Hz, below the 10 kHz of ISO/TS 18571; resampled, so the rating is "
-            findings.append(Finding(place, "note", text + "indicative", sample_rate))
+            findings.append(finding("identify.sampled_slowly", place, sample_rate, sample_rate=sample_rate))
         both = resample(np.arange(t.size) / sample_rate, np.stack((t, c), axis=1), SAMPLE_RATE)[1]
         t, c = np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])
     shift, rival = best_shift(t, c)
     if rival is not None:
-        text = (
-            f"the signals repeat: a shift of {rival / SAMPLE_RATE:g} s correlates nearly as well as the best one of "
-            f"{shift / SAMPLE_RATE:g} s; ISO/TS 18571 is for signals that do not, its phase score may be too low"
+        findings.append(
+            finding(
+                "identify.signals_repeat",
+                place,
+                rival / SAMPLE_RATE,
+                rival=rival / SAMPLE_RATE,
+                shift=shift / SAMPLE_RATE,
+            )
         )
-        findings.append(Finding(place, "warning", text, rival / SAMPLE_RATE))
     shifted_t, shifted_c = _shifted(t, c, shift)
     scores = (
         corridor_score(t, c),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.catalogue import Severity
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.damper_laws import damper_law, regularisation_velocity
 from jounce.identify.damper_record import DamperMotion
@@ -115,11 +115,16 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
     spikes = np.abs(residual) > _FAR * usual
     theirs = float(np.sum(residual[spikes] ** 2)) / max(float(residual @ residual), 1e-300)
     if usual > 0.0 and 0 < np.count_nonzero(spikes) < _FEW * len(residual) and theirs > 0.5:
-        text = (
-            f"{np.count_nonzero(spikes)} samples lie more than {_FAR:g} times the usual residual from the law and make "
-            f"{100.0 * theirs:.0f} % of its sum of squares: spikes of the logger? Remove them."
+        findings.append(
+            finding(
+                "identify.law_spikes",
+                name,
+                np.count_nonzero(spikes),
+                spikes=np.count_nonzero(spikes),
+                times=_FAR,
+                share=theirs,
+            )
         )
-        findings.append(Finding(name, "warning", text, float(np.count_nonzero(spikes))))
         speed, fitted, residual = speed[~spikes], fitted[~spikes], residual[~spikes]
     reach = float(np.ptp(fitted))
     if result.cycles < 2.0 or reach <= 0.0:
@@ -136,11 +141,7 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
         )
         findings.append(Finding(name, "warning", text, share))
     if abs(drift) > _DRIFTED * reach:
-        text = (
-            f"the force at rest drifts by {drift:.3g} N from the first to the last sample (load cell, or gas that "
-            "warms up): intervals are wide for it and the offset is that of the middle; take the drift off."
-        )
-        findings.append(Finding(name, "warning", text, drift))
+        findings.append(finding("identify.rest_force_drifts", name, drift, drift=drift))
     return findings
 
 
@@ -154,22 +155,13 @@ def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str
     step, force = quantum_of(motion.force), fitted - offset
     side = min(float(force.max()), -float(force.min()))
     if step > _COARSE * side > 0.0:
-        text = (
-            f"the force is recorded in steps of {step:.3g} N, and one side has {side:.3g} N: rounding is no noise, and "
-            "coefficients may be off by more than their intervals; measure with a finer range, or faster."
-        )
-        findings.append(Finding(name, "warning", text, step))
+        findings.append(finding("identify.force_steps", name, step, step=step, side=side))
     time = motion.time
     frequency = motion.cycles / float(time[-1] - time[0])
     rate = 1.0 / float(np.median(np.diff(time)))
     reach = float(np.ptp(motion.force))
     if corner := low_pass_corner(motion.force - fitted, rate, frequency, reach=reach, step=step, near=_NEAR):
-        text = (
-            f"the noise of the force ends at some {corner:.2g} Hz, near the {frequency:.2g} Hz of the motion: a low "
-            "pass of the logger, which blurs the change from bump to rebound; both come out too equal. Measure with "
-            "a wider one, or slower."
-        )
-        findings.append(Finding(name, "warning", text, corner))
+        findings.append(finding("identify.force_low_pass", name, corner, corner=corner, frequency=frequency))
     return findings
 
 

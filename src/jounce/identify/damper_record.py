@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.identify.signals import lost_samples, noise_of, quantum_of, zigzag
@@ -101,15 +101,11 @@ def read_motion(
         arrays["velocity"] = _as_the_stroke(arrays["velocity"], derivative, name, findings)
         resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
     else:
-        findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
+        findings.append(finding("identify.velocity_derived", name))
     v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
     findings += [*_out_of_range({"displacement": x, "force": f}, name)]
     if uses_derivative and (jumps := lost_samples(t, x)):
-        text = (
-            f"the displacement jumps at {jumps} places as if samples were missing there, though the time goes on: the "
-            "derivative is wrong there and everywhere too large; give the recorded time, or the velocity."
-        )
-        findings.append(Finding(name, "problem", text, float(jumps)))
+        findings.append(finding("identify.stroke_jumps", name, jumps, jumps=jumps))
     first, last = _moving_part(x, name, findings)
     sound = np.flatnonzero(~lost[first:last]) + first
     x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
@@ -146,11 +142,11 @@ def _without_dropouts(arrays: dict[str, Array], name: str, findings: list[Findin
     lost = np.zeros(len(arrays["time"]), bool)
     for column in ("displacement", "velocity", "force"):
         if column in arrays and (marks := frozen_samples(arrays[column])).any():
-            text = (
-                f"the {column} stands still at {np.count_nonzero(marks)} samples while the record goes on, and jumps: "
-                "dropouts of the logger, which were left out."
+            findings.append(
+                finding(
+                    "identify.dropouts", name, np.count_nonzero(marks), channel=column, samples=np.count_nonzero(marks)
+                )
             )
-            findings.append(Finding(name, "warning", text, float(np.count_nonzero(marks))))
             lost |= marks
             if column == "displacement":
                 time, bridged = arrays["time"], arrays[column].copy()
@@ -169,13 +165,10 @@ def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
     for column, values in columns.items():
         share = clipped_share(values)
         if share > _CLIPPED:
-            flat = f"{100.0 * share:.2g} % of the samples of the {column} lie flat at its limits"
             if column == "force":
-                text = f"{flat}: the load cell or its amplifier was out of range, and every law fitted to it is wrong; "
-                found.append(Finding(name, "problem", text + "measure again with a larger range.", share))
+                found.append(finding("identify.force_out_of_range", name, share, share=share, channel=column))
             else:
-                text = f"{flat}: does the machine dwell there, or was the sensor out of range? Then the law is wrong."
-                found.append(Finding(name, "warning", text, share))
+                found.append(finding("identify.flat_at_limits", name, share, share=share, channel=column))
     return found
 
 
@@ -187,11 +180,7 @@ def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list
     gain = float(velocity @ derivative) / float(derivative @ derivative)
     if gain > -0.5:
         return velocity
-    text = (
-        f"the recorded velocity is {gain:.3g} times the derivative of the displacement: it was recorded with the other "
-        "sign and has been reversed."
-    )
-    findings.append(Finding(name, "warning", text, gain))
+    findings.append(finding("identify.velocity_reversed", name, gain, factor=gain))
     return -velocity
 
 
@@ -205,14 +194,9 @@ def _check_velocity(
     delay = -float((velocity - derivative) @ slope) / float(slope @ slope)
     step = float(np.median(np.diff(time)))
     if abs(gain - 1.0) > 0.05:
-        text = f"the recorded velocity is {gain:.3g} times the derivative of the displacement: check units and signs."
-        findings.append(Finding(name, "problem", text, gain))
+        findings.append(finding("identify.velocity_gain", name, gain, factor=gain))
     elif abs(delay) > 0.2 * step and source == "recorded":
-        text = (
-            f"the recorded velocity is {1e3 * delay:.3g} ms ({delay / step:.2f} samples) behind the displacement, "
-            "as a backward difference is; compare with velocity_from='displacement', a central difference."
-        )
-        findings.append(Finding(name, "warning", text, delay))
+        findings.append(finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step))
     resolution = quantum_of(np.round(velocity, 9))
     if resolution > 1e-3 * float(np.abs(velocity).max()):
         text = (
@@ -244,14 +228,9 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
         half = min(max(half + 1, int(1.2 * half)), widest)
     left = share(half)
     if half > 1:
-        text = f"the derivative of the displacement is taken over {2 * half + 1} samples, as its noise asks for."
-        findings.append(Finding(name, "note", text, float(2 * half + 1)))
+        findings.append(finding("identify.derivative_width", name, 2 * half + 1, samples=2 * half + 1))
     if left > _NOISY:
-        text = (
-            f"noise of the displacement (about {1e3 * noise:.2g} mm) is some {100.0 * left:.2g} % of the mean square "
-            "of its derivative, and coefficients come out too small by about as much: give a velocity, or filter it."
-        )
-        findings.append(Finding(name, "warning", text, left))
+        findings.append(finding("identify.stroke_noise", name, left, noise=noise, share=left))
     return plain if half == 1 else _slope(x, half) / step
 
 
@@ -293,8 +272,7 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
     last = last if len(displacement) - last > 5 else len(displacement)
     left_out = first + len(displacement) - last
     if left_out:
-        text = f"{left_out} samples at rest at the ends were left out: at rest the force says nothing about velocity."
-        findings.append(Finding(name, "note", text, float(left_out)))
+        findings.append(finding("identify.rest_left_out", name, left_out, samples=left_out))
     return first, last
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from jounce.core.catalogue import Severity
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
 from jounce.identify.settings import UpdateSettings
@@ -143,8 +143,7 @@ def _findings(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart
     severity: Severity = "warning" if datum == "free offset" else "note"
     found = [Finding(channel, severity, f"{text}; state it as datum of its sensor")]
     if quiet and moving:
-        text = f"begins in motion in {_listed(moving)}, where the datum is that of trials that begin at rest"
-        found.append(Finding(channel, "note", text))
+        found.append(finding("identify.datum_in_motion", channel, trials=_listed(moving)))
     return found
 
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
@@ -499,11 +499,7 @@ def search_decay(
         alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
         gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
         if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
-            text = (
-                f"the mass comes to rest {motion_of(quantity).say(gap)} from where sliding friction would have stopped "
-                "it: static and sliding friction differ; the time at rest was left out of the fit."
-            )
-            findings.append(Finding(name, "note", text, gap))
+            findings.append(finding("identify.static_friction", name, gap, gap=motion_of(quantity).say(gap)))
             used, (values, spread, residual) = ~rest, alone
     found = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
     dragged = _with_drag(t[used], signal[used], peaks, found, quantity, drag)
@@ -767,11 +763,7 @@ def fit_decay(
         turns = replace(peaks, value=peaks.value - drift(peaks.time))
         part = replace(part, signal=part.signal - drift(part.time), peaks=turns)
     if drifted:
-        text = (
-            f"the zero of the record drifts by {drifted:.3g} (SI) in it, which was taken off: no decay, friction or "
-            "damper does that."
-        )
-        findings.append(Finding(name, "warning", text, drifted))
+        findings.append(finding("identify.decay_drifts", name, drifted, drifted=drifted))
     used = np.isfinite(residual)
     t, signal, residual = part.time[used], part.signal[used], residual[used]
     estimates = _estimates(parameters, spread, mass)
@@ -796,12 +788,16 @@ def fit_decay(
     )
     findings += [*logged, *_advice(result, spread, float(np.median(np.diff(t))), stiffness, name)]
     if stiffness is None:
-        text = (
-            f"the {motion.inertia_word} at this frequency hangs on {result.stiffness.value:.4g} "
-            f"{spoken(motion.stiffness)}; no stiffness was given to compare it with, so that a wrong "
-            f"{motion.inertia_word} or sample rate goes unseen: damping is wrong by as much."
+        findings.append(
+            finding(
+                "identify.decay_stiffness",
+                name,
+                result.stiffness.value,
+                inertia=motion.inertia_word,
+                value=result.stiffness.value,
+                unit=spoken(motion.stiffness),
+            )
         )
-        findings.append(Finding(name, "note", text, result.stiffness.value))
     is_alike = spread.correlation_time > _ALIKE_FOR
     findings += _doubts(result, replace(part, time=t, signal=signal), residual, name, is_alike=is_alike)
     return replace(result, findings=tuple(findings))
@@ -812,20 +808,12 @@ def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *,
     t, signal, peaks, p, order = part.time, part.signal, part.peaks, result.parameters, order_of(result.quantity)
     findings: list[Finding] = []
     if order < 2 and (lost := lost_samples(t, signal)) > _FEW_LOST:
-        text = (
-            f"the record jumps at {lost} places as if samples were missing there, though the time goes on: frequency "
-            "and damping are wrong; give the recorded time."
-        )
-        findings.append(Finding(name, "problem", text, float(lost)))
+        findings.append(finding("identify.decay_jumps", name, lost, places=lost))
     if order == 0:
         findings += spring_that_is_no_line(peaks.time, peaks.value, p, noise_of(signal), name)
     held, step = p.friction_deflection * p.angular_frequency**order, quantum_of(signal)
     if step > _STEPS * held and _is_clear(result.coulomb_force):
-        text = (
-            f"the record is in steps of {step:.3g} (SI), and friction moves it by {held:.3g} only: how large it is, is "
-            "lost in the rounding; record with a finer resolution, or with some noise."
-        )
-        findings.append(Finding(name, "warning", text, step))
+        findings.append(finding("identify.decay_steps_hide_friction", name, step, step=step, held=held))
     if result.rms_residual <= EXACT * float(np.ptp(signal)):
         return findings
     low = low_pass_of(t, signal, residual, p, name, is_alike=is_alike)
@@ -862,11 +850,16 @@ def _read_otherwise(
     shares = {other: leaves(signal, _starts(part.peaks, other), other) for other in others}
     other = min(shares, key=lambda one: shares[one])
     if shares[other] < (_SURELY if is_smooth else _RATHER):
-        text = (
-            f"the record is rather one of {_spaced(other)} than of {_spaced(quantity)}, of which "
-            f"{1.0 / shares[other]:.2g} times as much is left: friction and drag are wrong; are name and unit right?"
-        )
-        return [Finding(name, "warning", text, 1.0 / shares[other])]
+        return [
+            finding(
+                "identify.decay_of_other_quantity",
+                name,
+                1.0 / shares[other],
+                other=_spaced(other),
+                quantity=_spaced(quantity),
+                times=1.0 / shares[other],
+            )
+        ]
     if is_smooth:
         return []
     frequency = parameters.angular_frequency / (2.0 * math.pi)
@@ -879,12 +872,7 @@ def _read_otherwise(
     corner = float(min(frequency * _CORNERS, key=uncoupled))
     corner = float(min(corner * _BESIDE, key=uncoupled))
     if (least := uncoupled(corner)) < _COUPLED:
-        text = (
-            f"the record looks as if it came through a high pass of some {corner:.2g} Hz (a coupling of sensor or "
-            f"logger), without which {100.0 * least:.0f} % of the misfit are left: friction and damping are off by "
-            "more than their intervals; record without it."
-        )
-        return [Finding(name, "warning", text, corner)]
+        return [finding("identify.decay_high_pass", name, corner, corner=corner, share=least)]
     return []
 
 
@@ -953,11 +941,10 @@ def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_o
         ) from refusal
     attempt, part = best
     if attempt:
-        text = (
-            f"the record up to {part.time[0]:.4g} s was left out: the hit, or what else is not a free decay; choose "
-            "the part with a time window (from, to)."
+        return replace(
+            part,
+            findings=(finding("identify.decay_begins_late", name, part.time[0], start=part.time[0]), *part.findings),
         )
-        return replace(part, findings=(Finding(name, "warning", text, float(part.time[0])), *part.findings))
     return part
 
 
@@ -983,8 +970,7 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
     peaks = until_it_grows(every, noise)
     last = int(np.searchsorted(t, peaks.time[-1] + 3.0 * peaks.half_period(), side="right"))
     if len(peaks.time) < len(every.time):
-        text = f"the motion grows again after {peaks.time[-1]:.4g} s, a second hit: the record after it was left out."
-        findings.append(Finding(name, "warning", text, float(peaks.time[-1])))
+        findings.append(finding("identify.decay_grows", name, peaks.time[-1], end=peaks.time[-1]))
         last = int(np.searchsorted(t, peaks.time[-1], side="right"))
     t, signal = t[first:last], signal[first:last]
     if len(t) < _FEWEST:
@@ -1213,25 +1199,23 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
     findings = [finding for result in results for finding in result.findings]
     frequencies = [result.natural_frequency_hz.value for result in results]
     if np.ptp(frequencies) > 0.05 * float(np.mean(frequencies)):
-        text = (
-            f"the natural frequencies of the runs range from {min(frequencies):.4g} to "
-            f"{max(frequencies):.4g} Hz: was something changed between them?"
+        findings.append(
+            finding(
+                "identify.decay_frequencies_range",
+                "decays",
+                np.ptp(frequencies),
+                least=min(frequencies),
+                greatest=max(frequencies),
+            )
         )
-        findings.append(Finding("decays", "warning", text, float(np.ptp(frequencies))))
     copies = len(results) - len({result.parameters for result in results})
     if copies:
-        text = (
-            f"{copies} of {len(results)} runs repeat another one to the last digit: a copy is no repetition, and "
-            "intervals come out too narrow."
-        )
-        findings.append(Finding("decays", "warning", text, float(copies)))
+        findings.append(finding("identify.decay_copies", "decays", copies, copies=copies, runs=len(results)))
     drags = [result.quadratic_drag for result in results if result.quadratic_drag is not None]
     if drags and len(drags) < len(results):
-        text = (
-            f"{len(drags)} of {len(results)} runs show quadratic drag, the others were fitted without: their damping "
-            'coefficients mean different things; choose quadratic_drag = "yes" or "no" for all.'
+        findings.append(
+            finding("identify.decay_drags_differ", "decays", len(drags), with_drag=len(drags), runs=len(results))
         )
-        findings.append(Finding("decays", "warning", text, float(len(drags))))
     return CombinedDecay(
         **combined,
         quadratic_drag=at_least_zero(combine(drags)) if len(drags) == len(results) else None,

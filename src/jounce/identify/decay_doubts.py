@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.free_response import DecayParameters, decay_slopes
@@ -30,24 +30,14 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
     """Leave out what the logger lost, and tell steps that are too coarse and peaks that are cut off."""
     lost, findings = frozen_samples(signal), []
     if lost.any():
-        text = (
-            f"the record stands still at {np.count_nonzero(lost)} samples while the motion goes on: dropouts of the "
-            "logger, which were left out."
+        findings.append(
+            finding("identify.decay_dropouts", name, np.count_nonzero(lost), samples=np.count_nonzero(lost))
         )
-        findings.append(Finding(name, "warning", text, float(np.count_nonzero(lost))))
     if share := clipped_share(signal):
-        text = (
-            f"{100.0 * share:.2g} % of the samples lie at the limits of the record: the sensor was out of range, and "
-            "its largest swings are lost; begin where swings are smaller (from)."
-        )
-        findings.append(Finding(name, "warning", text, share))
+        findings.append(finding("identify.decay_out_of_range", name, share, share=share))
     step, reach = quantum_of(signal), float(np.ptp(signal))
     if step > _COARSE * reach:
-        text = (
-            f"the record is in steps of {step:.3g} (SI), {100.0 * step / reach:.2g} % of its range: rounding is no "
-            "noise, and what friction and damping do to small swings is lost in it."
-        )
-        findings.append(Finding(name, "warning", text, step))
+        findings.append(finding("identify.decay_steps", name, step, step=step, share=step / reach))
     return t[~lost], signal[~lost], findings
 
 
@@ -97,12 +87,9 @@ def what_is_left(
     """Name what residuals look like: a jump, two decays, a drift, a damper that is firmer in one direction."""
     left = float(residual @ residual)
     if jump := _jump(residual, float(np.ptp(signal))):
-        text = (
-            f"the record jumps by {residual[jump] - residual[jump - 1]:.3g} (SI) at {t[jump]:.4g} s, as no free decay "
-            "does: a second hit, a zero that moved, or samples that are missing; choose the part with a time window "
-            "(from, to)."
-        )
-        return [Finding(name, "warning", text, float(t[jump]))]
+        return [
+            finding("identify.decay_jumps_once", name, t[jump], jump=residual[jump] - residual[jump - 1], time=t[jump])
+        ]
     findings = []
     place = np.linspace(-0.5, 0.5, len(t))
     fall, turn = _swing(t, parameters)
@@ -113,23 +100,11 @@ def what_is_left(
     lopsided = 1.0 - float(kept @ kept) / left
     seam, at = _seam(t, residual, parameters, quantity)
     if seam > max(lopsided, drifts, _SEAM):
-        text = (
-            f"the swings before {at:.4g} s do not go on as those after it ({100.0 * seam:.0f} % of what is left): a "
-            "second hit, lost samples, or a filter that settles; choose the part with a time window (from, to)."
-        )
-        findings.append(Finding(name, "warning", text, at))
+        findings.append(finding("identify.decay_second_hit", name, at, time=at, share=seam))
     elif drifts > max(lopsided, _CAUSE):
-        text = (
-            f"the zero of the record drifts by {float(slope[0]):.3g} (SI) in it, which makes {100.0 * drifts:.0f} % of "
-            "what is left: take the drift off; the intervals are wide for it."
-        )
-        findings.append(Finding(name, "warning", text, float(slope[0])))
+        findings.append(finding("identify.decay_zero_drifts", name, slope[0], drift=float(slope[0]), share=drifts))
     elif lopsided >= _CAUSE:
-        text = (
-            f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in "
-            "one direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
-        )
-        findings.append(Finding(name, "warning", text, lopsided))
+        findings.append(finding("identify.decay_lopsided", name, lopsided, share=lopsided))
     return findings
 
 
@@ -144,11 +119,7 @@ def low_pass_of(
         corner = low_pass_corner(residual, rate, frequency, reach=reach, step=step, near=_NEAR)
     if corner is None:
         return []
-    text = (
-        f"the record has nothing above some {corner:.2g} Hz, near the {frequency:.3g} Hz of the decay: a low pass of "
-        "the logger, which blurs what tells friction from damping; record with a wider one."
-    )
-    return [Finding(name, "warning", text, corner)]
+    return [finding("identify.decay_low_pass", name, corner, corner=corner, frequency=frequency)]
 
 
 def _jump(residual: Array, reach: float) -> int | None:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.segments import POLYNOMIAL, Segments
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -1176,11 +1176,14 @@ def _undoubted(richer: ExtendedRig) -> list[Finding]:
     laws = richer.undoubted()
     if not laws:
         return []
-    text = (
-        f"taken as described in the interval that counts model error: the law of {', '.join(laws)}; where it is wrong "
-        "the interval is too short"
-    )
-    return [Finding("intervals", "note" if richer.has_laws else "warning", text)]
+    return [
+        finding(
+            "identify.laws_as_described",
+            "intervals",
+            severity="note" if richer.has_laws else "warning",
+            laws=", ".join(laws),
+        )
+    ]
 
 
 def _findings(
@@ -1189,11 +1192,7 @@ def _findings(
 ) -> list[Finding]:  # fmt: skip
     found = []
     for path, by in contradicted.items():
-        text = (
-            f"the update contradicts the value measured on the bench by {by}: the model lacks something that this "
-            "parameter makes up for, or the bench measured something else (another load, rate or temperature)"
-        )
-        found.append(Finding(path, "warning", text))
+        found.append(finding("identify.bench_contradicted", path, by=by))
     for name, stray in strays.items():
         drawn = [item.path for item, draw in zip(one.free, stray.draws, strict=True) if draw > _DRAWN]
         listed = "no parameter" if len(drawn) == len(one.free) else ", ".join(drawn)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -143,19 +143,23 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     deflection, force = deflection[part] - shift, force[part] - offset
     seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset), motion)
     if deflection[seated.turn] > _FARTHEST[motion.name]:
-        text = (
-            f"the {motion.deflection_word} reaches {motion.say(float(deflection[seated.turn]))}: check that it was "
-            "read in the right unit."
+        findings.append(
+            finding(
+                "identify.deflection_unit",
+                trial.name,
+                deflection[seated.turn],
+                word=motion.deflection_word,
+                deflection=motion.say(float(deflection[seated.turn])),
+            )
         )
-        findings.append(Finding(trial.name, "problem", text, float(deflection[seated.turn])))
     findings += _slip(seated) or _falls(seated)
     back = float((np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max())
     if back > 0.02 * float(np.ptp(deflection)):
-        text = (
-            f"the {motion.deflection_word} reverses by {motion.say(back)} within the loading branch; all its points "
-            "are used."
+        findings.append(
+            finding(
+                "identify.deflection_reverses", trial.name, back, word=motion.deflection_word, back=motion.say(back)
+            )
         )
-        findings.append(Finding(trial.name, "note", text, back))
     findings += [*_out_of_range(seated), *_drift(seated)]
     return seated, findings
 
@@ -198,11 +202,9 @@ def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tu
     begin = max(turn for turn in turns if turn < max(top, 1))
     begin += int(np.flatnonzero(deflection[begin : top + 1] == deflection[begin])[-1])
     end = min((turn + 1 for turn in turns if turn > top), default=len(deflection))
-    text = (
-        f"several load cycles, the deflection turns {len(turns) - 1} times: only the one that reaches farthest is "
-        f"used, points {begin + 1} to {end}. Give each cycle as a trial of its own to use all."
+    findings.append(
+        finding("identify.several_cycles", name, len(turns) - 1, turns=len(turns) - 1, begin=begin + 1, end=end)
     )
-    findings.append(Finding(name, "warning", text, float(len(turns) - 1)))
     return begin, end, turns[2] + 1
 
 
@@ -223,22 +225,31 @@ def _first_contact(
         met = (offset - level) / slope if slope > 0.0 else deflection[last]
         contact = float(np.clip(met, deflection[last - 1], deflection[last + 1]))
         travel = contact - float(deflection[0])
-        text = (
-            f"{motion.say(travel)} of free travel before first contact and a load-cell zero of {offset:.3g} "
-            f"{spoken(motion.force)} were removed."
+        findings.append(
+            finding(
+                "identify.free_travel_removed",
+                name,
+                travel,
+                travel=motion.say(travel),
+                offset=offset,
+                unit=spoken(motion.force),
+            )
         )
-        findings.append(Finding(name, "note", text, travel))
         return contact, offset, last + 1
     if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
-        text = f"the trial goes from {motion.pulled} into {motion.pushed}: its zeros are the recorded ones."
-        findings.append(Finding(name, "note", text, float(force[0])))
+        findings.append(finding("identify.zeros_recorded", name, force[0], pulled=motion.pulled, pushed=motion.pushed))
         return 0.0, 0.0, 0
     if abs(force[0]) > 0.02 * largest:
-        text = (
-            f"the trial starts already loaded with {force[0]:.3g} {spoken(motion.force)}, so first contact was not "
-            f"seen and the zero of the {motion.deflection_word} is the recorded one."
+        findings.append(
+            finding(
+                "identify.starts_loaded",
+                name,
+                force[0],
+                force=force[0],
+                unit=spoken(motion.force),
+                word=motion.deflection_word,
+            )
         )
-        findings.append(Finding(name, "warning", text, float(force[0])))
         return 0.0, 0.0, 0
     return float(deflection[0]), 0.0, 0
 
@@ -264,11 +275,17 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
     if drop <= 0.03 * float(np.ptp(force)):
         return []
     motion = trial.motion
-    text = (
-        f"the {motion.force_word} falls by {drop:.3g} {spoken(motion.force)} while the {motion.deflection_word} grows: "
-        "slip, buckling or a loose seat?"
-    )
-    return [Finding(trial.name, "warning", text, drop)]
+    return [
+        finding(
+            "identify.force_falls",
+            trial.name,
+            drop,
+            force_name=motion.force_word,
+            drop=drop,
+            unit=spoken(motion.force),
+            word=motion.deflection_word,
+        )
+    ]
 
 
 def _slip(trial: SeatedTrial) -> list[Finding]:
@@ -294,12 +311,20 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
         return []
     stroke, motion = float(np.ptp(deflection)), trial.motion
     rate, begin = float(slope) / stroke, float(deflection[0]) + place * stroke
-    text = (
-        f"the {motion.force_word} is {lost:.3g} {spoken(motion.force)} lower from {motion.say(begin)} on, as after a "
-        f"slip of {motion.say(lost / rate, 2)} in the grip: the slope without it is {rate:.4g} "
-        f"{spoken(motion.stiffness)}, which the fit does not give. Measure again."
-    )
-    return [Finding(trial.name, "warning", text, lost)]
+    return [
+        finding(
+            "identify.slip",
+            trial.name,
+            lost,
+            force_name=motion.force_word,
+            lost=lost,
+            unit=spoken(motion.force),
+            begin=motion.say(begin),
+            slip=motion.say(lost / rate, 2),
+            rate=rate,
+            rate_unit=spoken(motion.stiffness),
+        )
+    ]
 
 
 _FEWEST_SLIP, _SLIDES = 15, (0.01, 0.03, 0.08)  # points; shares of the stroke over which a grip slides
@@ -318,12 +343,18 @@ def _out_of_range(trial: SeatedTrial) -> list[Finding]:
     if len(top) < _FEWEST_FLAT or over < _FLAT * float(np.ptp(deflection)):
         return []
     motion = trial.motion
-    text = (
-        f"the {motion.force_word} stays at {force.max():.4g} {spoken(motion.force)} over {motion.say(over)}: the load "
-        "cell or its amplifier was out of range, and no law fits what it shows there; leave out what lies beyond "
-        f"{motion.say(float(deflection[top].min()))}."
-    )
-    return [Finding(trial.name, "problem", text, over)]
+    return [
+        finding(
+            "identify.deflection_out_of_range",
+            trial.name,
+            over,
+            force_name=motion.force_word,
+            top=force.max(),
+            unit=spoken(motion.force),
+            over=motion.say(over),
+            begin=motion.say(float(deflection[top].min())),
+        )
+    ]
 
 
 _FEWEST_FLAT = 6
@@ -337,7 +368,6 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     if abs(float(deflection[back] - deflection[0])) > _TOP * stroke or len(force) - trial.turn < _FEWEST_FLAT:
         return []
     slope, (unit, rate) = float(np.ptp(force)) / stroke, (spoken(trial.motion.force), spoken(trial.motion.stiffness))
-    at_same = f"than it began with at the same {trial.motion.deflection_word}"
     less = force - slope * (deflection - deflection[0])
     gained = float(np.median(less[max(back - 2, trial.turn + 1) : back + 3]) - np.median(less[:5]))
     if abs(gained) < _NO_DRIFT * float(force.max()):
@@ -347,18 +377,30 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
         middle = 0.5 * float(deflection.min() + deflection.max())
         if float(np.interp(middle, *up) - np.interp(middle, *down)) > -_ON_THE_WAY * gained:
             return []
-        text = (
-            f"the trial ends with {-gained:.3g} {unit} less {at_same}, more than hysteresis takes on the way: the zero "
-            "of the load cell drifts. If evenly, the slope of the loading branch is off by about "
-            f"{0.5 * gained / stroke:.3g} {rate}, and that of both branches together is not."
+        return [
+            finding(
+                "identify.zero_drifts_down",
+                trial.name,
+                gained,
+                lost=-gained,
+                unit=unit,
+                word=trial.motion.deflection_word,
+                slope=0.5 * gained / stroke,
+                rate_unit=rate,
+            )
+        ]
+    return [
+        finding(
+            "identify.zero_drifts_up",
+            trial.name,
+            gained,
+            gained=gained,
+            unit=unit,
+            word=trial.motion.deflection_word,
+            slope=0.5 * gained / stroke,
+            rate_unit=rate,
         )
-        return [Finding(trial.name, "warning", text, gained)]
-    text = (
-        f"the trial ends with {gained:.3g} {unit} more {at_same}, where hysteresis would take some: the zero of the "
-        f"load cell drifts. If evenly, the slope of the loading branch is off by about {0.5 * gained / stroke:.3g} "
-        f"{rate}, and that of both branches together is not."
-    )
-    return [Finding(trial.name, "warning", text, gained)]
+    ]
 
 
 def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.estimate import correlation_time
 from jounce.identify.lags import Shifted, best_lag
@@ -57,11 +57,7 @@ def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligne
         return []
     clipped = max(clipped_share(part.measured) for part in parts)
     if clipped > _CLIPPED:
-        text = (
-            f"{100.0 * clipped:.2g} % of the samples lie flat at the limits of the record: the sensor was out of range "
-            "there, and the values are fitted to what it could not show; leave the channel out or measure again"
-        )
-        return [Finding(channel, "warning", text, clipped)]
+        return [finding("identify.sensor_out_of_range", channel, clipped, share=clipped)]
     candidates = [
         _scale(channel, parts, left, trials),
         _drift(channel, parts, left, trials),
@@ -83,12 +79,7 @@ def _scale(channel: str, parts: Sequence[LeftOver], left: float, trials: str) ->
     share = more**2 * size / left
     if share < _SCALE or abs(more) < _GAIN:
         return None
-    text = (
-        f"the record is {1.0 + more:.3g} times what the updated model gives in {trials}, which explains "
-        f"{100.0 * share:.0f} % of what is left: check its unit and sensitivity (gain of its sensor); the fitted "
-        "values make up for it as far as they can"
-    )
-    return share, Finding(channel, "warning", text, 1.0 + more)
+    return share, finding("identify.gain_off", channel, 1.0 + more, factor=1.0 + more, trials=trials, share=share)
 
 
 def _drift(channel: str, parts: Sequence[LeftOver], left: float, trials: str) -> tuple[float, Finding] | None:
@@ -101,12 +92,9 @@ def _drift(channel: str, parts: Sequence[LeftOver], left: float, trials: str) ->
     reach = max(float(np.ptp(part.read)) for part in parts)
     if shares / left < _DRIFT or abs(rise) < _RANGE * reach:
         return None
-    text = (
-        f"the zero of the record drifts by {rise:.3g} {channel_unit(channel)} from its first to its last sample in "
-        f"{trials}, which explains {100.0 * shares / left:.0f} % of what is left: take the drift off, or give the "
-        "sensor's high pass"
+    return shares / left, finding(
+        "identify.drift", channel, rise, rise=rise, unit=channel_unit(channel), trials=trials, share=shares / left
     )
-    return shares / left, Finding(channel, "warning", text, rise)
 
 
 def _delay(

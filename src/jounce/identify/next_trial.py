@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.seeds import is_whole
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
@@ -162,7 +162,7 @@ def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, co
         try:
             informations[candidate.name] = judge.information(candidate)
         except SimulationError as error:
-            findings.append(Finding(candidate.name, "note", f"cannot be judged: {error}"))
+            findings.append(finding("identify.cannot_be_judged", candidate.name, error=error))
     if not informations:
         raise FitError("none of the trials runs", where="candidates", found=str(findings[0]))
     paths = [item.path for item in basis.free]

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from jounce.core.errors import FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows, group_table, own_unit
 from jounce.core.seeds import check_seed, is_whole
 from jounce.core.serialise import Plain
@@ -222,8 +222,11 @@ def update_with_density(
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, settings)
     else:
         if doubt is not None:
-            text = f"noise only: what the model lacks is counted from {FEWEST_TRIALS} trials on, fitted: {len(trials)}"
-            findings.append(Finding("posterior", "warning", text, float(len(trials))))
+            findings.append(
+                finding(
+                    "identify.posterior_of_noise", "posterior", len(trials), fewest=FEWEST_TRIALS, trials=len(trials)
+                )
+            )
         problem = UpdateProblem(trials, limits, settings)
         best = np.array([item.scaled(values[item.path]) for item in limits])
         lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
@@ -540,25 +543,18 @@ def _weak(
 ) -> list[Finding]:
     found = []
     if error > _ERROR:
-        text = (
-            f"the log density that was sampled is off by {error:.2g} (standard deviation at exact draws): intervals may"
-            " be off; free fewer parameters, or measure what is hardly known"
-        )
-        found.append(Finding("posterior", "warning", text, error))
+        found.append(finding("identify.log_density_off", "posterior", error, spread=error))
     for path, one in parameters.items():
         worst = min(one.convergence.bulk, one.convergence.tail)
         if one.convergence.r_hat > _R_HAT or worst < _FEW_DRAWS:
-            text = f"not converged: R-hat {one.convergence.r_hat:.3f}, {worst:.0f} effective draws; ask for more draws"
-            found.append(Finding(path, "warning", text, one.convergence.r_hat))
+            found.append(
+                finding("identify.not_converged", path, one.convergence.r_hat, r_hat=one.convergence.r_hat, draws=worst)
+            )
     for item in free if counted == "noise only" else ():
         low, high = parameters[item.path].interval
         near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
         if near:
-            text = (
-                "its draws end at a bound: the bounds, not the data, say how far it may go; an update holds it there, "
-                "and its values and intervals of the others are other than those of the draws"
-            )
-            found.append(Finding(item.path, "warning", text, near[0]))
+            found.append(finding("identify.draws_at_bound", item.path, near[0]))
     return found
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, linear_least_squares
 from jounce.recordings.schema import quantity_of
@@ -111,11 +111,7 @@ def likeness(measured: Array, simulated: Array, most: int) -> float:
 
 def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
     """Say that a channel goes against the model."""
-    text = (
-        f"the record goes against the model in {', '.join(trials)} (correlation {like:.2f}): its sign is turned. Turn "
-        "it with orientation = -1 of its sensor, or state stroke_positive or force_positive."
-    )
-    return Finding(name, "warning", text, like)
+    return finding("identify.channel_turned", name, like, trials=", ".join(trials), correlation=like)
 
 
 def closed_part(stroke: Array) -> slice:

@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate
 from jounce.identify.fit_problem import FitTrial, FreeParameter, UpdateProblem
@@ -60,11 +60,16 @@ def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
         load = static_load(trial.rig, trial.rig.parameters())
         more = trial.wheel_load / load - 1.0
         if abs(more) > _WEIGHED:
-            text = (
-                f"{trial.wheel_load:.4g} N were measured at rest, the stated masses weigh {load:.4g} N "
-                f"({100.0 * more:+.2g} %): correct the masses, the values of this update scale with them"
+            findings.append(
+                finding(
+                    "identify.masses_weigh_otherwise",
+                    f"{trial.name}: wheel_load",
+                    more,
+                    wheel_load=trial.wheel_load,
+                    load=load,
+                    excess=more,
+                )
             )
-            findings.append(Finding(f"{trial.name}: wheel_load", "warning", text, more))
     return findings
 
 
@@ -108,11 +113,7 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     values = dict(zip(masses, wider.values(x)[count:], strict=True))
     scale = sum(masses.values()) / sum(values.values())
     listed = ", ".join(f"{path} {scale * value:.4g} kg for {masses[path]:.4g}" for path, value in values.items())
-    text = (
-        f"other masses would leave {100.0 * after / before:.2g} % of what is left: with their sum as stated, {listed}. "
-        "Weigh them; what was fitted makes up for masses that are wrong"
-    )
-    return [Finding("masses", "warning", text, after / before)]
+    return [finding("identify.other_masses", "masses", after / before, share=after / before, masses=listed)]
 
 
 def scale_of_masses(
@@ -129,16 +130,8 @@ def scale_of_masses(
     if any(channel_unit(name) == "N" for name in channels) or not by_mass or any(path in known for path in by_mass):
         return []
     if any(path.endswith("mass") for path in free):
-        text = (
-            "no force was measured and no rate is known beforehand, so masses and rates are known but for a common "
-            "factor: give a rate its bench value as prior, or fix a mass"
-        )
-        return [Finding("masses", "warning", text)]
-    text = (
-        f"the scale of {', '.join(by_mass)} is set by the stated masses (± {100.0 * doubt:.2g} %): all of them larger "
-        "by one factor would move alike"
-    )
-    return [Finding("masses", "note", text, doubt)]
+        return [finding("identify.scale_unknown", "masses")]
+    return [finding("identify.scale_of_masses", "masses", doubt, names=", ".join(by_mass), doubt=doubt)]
 
 
 def off_together(

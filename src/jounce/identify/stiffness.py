@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.serialise import Plain
@@ -534,8 +534,7 @@ def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
     for trial in trials:
         other = first.setdefault((trial.deflection.tobytes(), trial.force.tobytes()), trial.name)
         if other != trial.name:
-            text = f"the same numbers as {other}: a copy is no repetition, and the interval comes out too narrow."
-            findings.append(Finding(trial.name, "warning", text))
+            findings.append(finding("identify.stiffness_copy", trial.name, other=other))
     return findings
 
 
@@ -548,11 +547,7 @@ def _used(
     use = (np.abs(deflection) if has_both else deflection) >= discard_below
     beyond = np.count_nonzero(deflection < -_AT_ZERO * float(np.ptp(trial.deflection)))
     if beyond and not has_both:
-        text = (
-            f"{beyond} of {len(use)} points lie below the zero of the deflection and were left out: fit a linear or "
-            "polynomial law to a trial in tension and compression, or set the zero of the deflection."
-        )
-        findings.append(Finding(trial.name, "warning", text, float(beyond)))
+        findings.append(finding("identify.points_below_zero", trial.name, beyond, points=beyond, all=len(use)))
     if float(trial.deflection.max()) <= _AT_ZERO * float(np.ptp(trial.deflection)):
         raise FitError(
             "the trial ends at its zero instead of beginning there",
@@ -611,13 +606,20 @@ def _with_law(
     counted = Estimate(stiffness.value, error, (stiffness.value - whole, stiffness.value + whole))
     if apart <= half:
         return counted, []
-    text = (
-        f"polynomials of degree {degree + 1} and more have a slope of {min(others):.4g} to {max(others):.4g} "
-        f"{spoken(motion.stiffness)} at {motion.say(at)}, this law {stiffness.value:.4g} {spoken(motion.stiffness)}: "
-        "the trials agree better with each other than with the law, and the interval counts it. Fit more degrees or "
-        "'monotone-spline', or only the range around the load."
-    )
-    return counted, [Finding("law", "warning" if apart > _ODD * abs(stiffness.value) else "note", text, apart)]
+    return counted, [
+        finding(
+            "identify.degrees_disagree",
+            "law",
+            apart,
+            severity="warning" if apart > _ODD * abs(stiffness.value) else "note",
+            degree=degree + 1,
+            least=min(others),
+            greatest=max(others),
+            unit=spoken(motion.stiffness),
+            at=motion.say(at),
+            value=stiffness.value,
+        )
+    ]
 
 
 def _tangent_gradient(fit: CurveFit, at: float) -> Array:
@@ -764,11 +766,20 @@ def _no_spring(rate: float, motion: MeasuredMotion) -> list[Finding]:
     if least <= rate <= most:
         return []
     unit = spoken(motion.stiffness)
-    text = (
-        f"{rate:.3g} {unit} is no {what} ({least:g} to {most:g} {unit}): check the units of {motion.deflection_word} "
-        f"and {motion.force_word}, and whether the columns are exchanged."
-    )
-    return [Finding("stiffness", "warning", text, rate)]
+    return [
+        finding(
+            "identify.no_spring",
+            "stiffness",
+            rate,
+            rate=rate,
+            unit=unit,
+            what=what,
+            least=least,
+            most=most,
+            word=motion.deflection_word,
+            force_name=motion.force_word,
+        )
+    ]
 
 
 def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ...]:
@@ -828,11 +839,16 @@ class PressureStiffness(Shown):
         p = np.array(self.pressures)
         findings = []
         if not p[0] <= pressure <= p[-1]:
-            text = (
-                f"{pressure / 1e6:.3g} MPa lies outside the measured pressures ({p[0] / 1e6:.3g} to "
-                f"{p[-1] / 1e6:.3g} MPa): the stiffness is extrapolated; measure there."
+            findings.append(
+                finding(
+                    "identify.pressure_outside",
+                    "tyre pressure",
+                    pressure,
+                    pressure=pressure,
+                    least=p[0],
+                    most=p[-1],
+                )
             )
-            findings.append(Finding("tyre pressure", "warning", text, pressure))
         if len(p) == 1:
             return self.stiffnesses[0], findings
         right = int(np.clip(np.searchsorted(p, pressure), 1, len(p) - 1))
@@ -877,7 +893,7 @@ def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> Pres
     exponent = float(np.polyfit(np.log(p), np.log(k), 1)[0]) if len(p) > 1 else None
     findings: list[Finding] = []
     if np.any(np.diff(k) < 0.0):
-        findings.append(Finding("tyre pressure", "warning", "the stiffness falls with rising pressure: files swapped?"))
+        findings.append(finding("identify.stiffness_falls", "tyre pressure"))
     return PressureStiffness(
         tuple(map(float, p)),
         tuple(point[1] for point in ordered),

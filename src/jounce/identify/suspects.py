@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Residuals, UpdateProblem
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
@@ -116,12 +116,7 @@ def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding]
     share = 1.0 - after / rest.size
     if share < _EXPLAINS:
         return None
-    text = (
-        f"the record looks like the updated model's behind a high pass of about {corner:.2g} Hz, which explains "
-        f"{100.0 * share:.0f} % of what is left: state high_pass of its sensor (AC coupling, charge amplifier), or set "
-        "the chain to DC"
-    )
-    return share, Finding(channel, "warning", text, float(corner))
+    return share, finding("identify.behind_high_pass", channel, corner, corner=corner, share=share)
 
 
 def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Array) -> tuple[float, float]:
@@ -172,12 +167,7 @@ def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | N
     error, share = rest.explained_by(slope)
     if share < _EXPLAINS or abs(error) < _SLIGHT:
         return None
-    text = (
-        f"a speed that is {100.0 * error:+.2g} % from the stated one would explain {100.0 * share:.0f} % of what is "
-        'left: measure it, or find it with the values, nuisances = {"speed" = "5 %"}; the '
-        "fitted values make up for it as far as they can"
-    )
-    return share, Finding(SPEED, "warning", text, error)
+    return share, finding("identify.speed_off", SPEED, error, excess=error, share=share)
 
 
 def road_in(

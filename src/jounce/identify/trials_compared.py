@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Residuals, UpdateProblem
 from jounce.identify.leftovers import LeftOver
@@ -47,12 +47,15 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
     if gains[worst] < _CONTRADICTS or not moved or max(map(abs, moved.values())) < _MATTERS:
         return []
     shifts = ", ".join(f"{path} {100.0 * share:+.2g} %" for path, share in moved.items() if abs(share) > _MATTERS)
-    text = (
-        f"does not agree with the other trials: without it they would leave {100.0 * (1.0 - gains[worst]):.2g} % of "
-        f"what they leave, and the values would move ({shifts}); check its speed, obstacle, pressure, masses and "
-        "recording"
-    )
-    findings = [Finding(problem.trials[worst].source.name, "warning", text, gains[worst])]
+    findings = [
+        finding(
+            "identify.trial_disagrees",
+            problem.trials[worst].source.name,
+            gains[worst],
+            share=1.0 - gains[worst],
+            shifts=shifts,
+        )
+    ]
     left = residuals.vector[rows[worst]] + jacobian[rows[worst]] @ steps[worst]
     own = jacobian[rows[worst]][:, : len(known)]
     pulled, lengths = own.T @ left, np.maximum((own**2).sum(axis=0), 1e-300)
@@ -62,8 +65,16 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
         i = known[best]
         change = 100.0 * float(-pulled[best] / lengths[best] * half[i] / (values[i] or half[i]))
         share = 100.0 * float(shares[best])
-        text = f"{problem.free[i].path} {change:+.2g} % in it alone explains {share:.0f} % of how it differs"
-        findings.append(Finding(problem.trials[worst].source.name, "note", text, change))
+        findings.append(
+            finding(
+                "identify.trial_differs_by",
+                problem.trials[worst].source.name,
+                change,
+                path=problem.free[i].path,
+                change=change,
+                share=share,
+            )
+        )
     return findings
 
 
@@ -82,11 +93,7 @@ def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     others = float(np.median([share for name, share in mean.items() if name != trial]))
     if mean[trial] < max(_MORE * others, _LITTLE):
         return []
-    text = (
-        f"the updated model leaves {100.0 * mean[trial]:.2g} % of its signals' energy, of the other trials "
-        f"{100.0 * others:.2g} %: check its speed, obstacle, pressure, masses and recording"
-    )
-    return [Finding(trial, "warning", text, mean[trial])]
+    return [finding("identify.trial_unlike", trial, mean[trial], share=mean[trial], others=others)]
 
 
 def exchanged(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
@@ -98,11 +105,7 @@ def exchanged(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
         pairs = {part.trial: part for part in left[other]}
         trials = [part.trial for part in left[one] if part.trial in pairs and _look_swapped(part, pairs[part.trial])]
         if trials:
-            text = (
-                f"looks exchanged with {other} in {', '.join(trials)}: each record resembles what the model gives for "
-                "the other one; name the columns the other way round"
-            )
-            found.append(Finding(one, "warning", text))
+            found.append(finding("identify.channels_exchanged", one, other=other, trials=", ".join(trials)))
     return found
 
 

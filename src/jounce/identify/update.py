@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows, own_unit
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -61,15 +61,16 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
     correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
     findings = [
-        Finding(name, "warning", "the data are insensitive to this parameter; fix it or measure something else", 0.0)
+        finding("identify.insensitive", name, 0.0)
         for name, norm in zip(names, norms, strict=True)
         if norm <= _WEAK * norms.max()
     ]
-    for i in range(len(names)):
-        for j in range(i):
-            if abs(correlation[i, j]) > _ALIKE:
-                text = f"cannot be told apart from {names[j]} with these data (correlation {correlation[i, j]:+.3f})"
-                findings.append(Finding(names[i], "warning", text, float(correlation[i, j])))
+    pairs = [(i, j) for i in range(len(names)) for j in range(i) if abs(correlation[i, j]) > _ALIKE]
+    findings += [
+        finding("identify.cannot_be_told_apart", names[i], value, other=names[j], correlation=value)
+        for i, j in pairs
+        for value in (correlation[i, j],)
+    ]
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else float("inf")
     return Identifiability(
         names,
@@ -399,11 +400,7 @@ def run_update(
             shown_unit_of(trials[0].rig, item.path),
         )
         if at_bound[i]:
-            text = (
-                "ends on its bound: the data call for a value beyond it, or the model lacks something; intervals of "
-                "other values are those with it there, a posterior lets it move within its bounds"
-            )
-            findings.append(Finding(item.path, "warning", text, value))
+            findings.append(finding("identify.on_bound", item.path, value))
     found_beside = {
         one.name: _beside(one, scaled, variance, is_bound)
         for one, scaled, variance, is_bound in zip(
@@ -494,11 +491,7 @@ def _correlated(names: Sequence[str], correlation: Array) -> list[Finding]:
         for j in range(i):
             value = float(correlation[i, j])
             if abs(value) > _CORRELATED:
-                text = (
-                    f"strongly correlated with {names[j]} ({value:+.2f}): the data know a combination of the two, and "
-                    "each by itself only as well as the model is right"
-                )
-                found.append(Finding(name, "warning", text, value))
+                found.append(finding("identify.strongly_correlated", name, value, other=names[j], correlation=value))
     return found
 
 
@@ -510,11 +503,7 @@ def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Fi
             continue
         moved = parameter.value / parameter.initial - 1.0
         if abs(moved) > _FAR:
-            text = (
-                f"ends {100.0 * moved:+.1f} % from what the rig states: a mass is known from the scale; where a fit "
-                "moves it, it makes up for something else"
-            )
-            found.append(Finding(path, "warning", text, moved))
+            found.append(finding("identify.mass_moved", path, moved, moved=moved))
     return found
 
 
@@ -551,16 +540,20 @@ def _with_doubt(
 ) -> tuple[Calibration | None, list[Finding]]:
     """Where the extended model ended, or why there is no such thing."""
     if len(trials) < FEWEST_TRIALS:
-        text = (
-            f"no interval that counts what the model lacks: that takes {FEWEST_TRIALS} trials, fitted: {len(trials)}; "
-            "intervals are those of the noise only"
-        )
-        return None, [Finding("intervals", "warning" if priors else "note", text, float(len(trials)))]
+        return None, [
+            finding(
+                "identify.noise_only_few_trials",
+                "intervals",
+                len(trials),
+                severity="warning" if priors else "note",
+                fewest=FEWEST_TRIALS,
+                trials=len(trials),
+            )
+        ]
     try:
         return calibrate(trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside), []
     except SimulationError as error:
-        text = f"no interval that counts what the model lacks: {error} Intervals are those of the noise only."
-        return None, [Finding("intervals", "warning", text)]
+        return None, [finding("identify.noise_only", "intervals", error=error)]
 
 
 def _whole(problem: UpdateProblem, scaled: Array) -> Array:
@@ -578,21 +571,14 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
             where=name,
             hint="Try the other method, wider bounds, several starts, or fewer parameters.",
         )
-    text = (
-        "the optimiser stopped before it converged; the values may not be the best: try the other method or more starts"
-    )
-    return [Finding(name, "warning", text, optimum.objective)]
+    return [finding("identify.not_settled", name, optimum.objective)]
 
 
 def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> list[Finding]:
     """Say where else the search ended, and that it nearly was the answer where it fits nearly as well."""
     best, findings = search.best, []
     if not search.is_confirmed:
-        text = (
-            f"none of {search.starts - 1} other start points led to the best fit again, so there may be a better one: "
-            "narrow the bounds, or ask for more starts"
-        )
-        findings.append(Finding(name, "warning", text, float(search.starts)))
+        findings.append(finding("identify.best_fit_once", name, search.starts, others=search.starts - 1))
     if not search.others:
         return findings
     other = search.others[0]
@@ -605,16 +591,16 @@ def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> l
     values = ", ".join(f"{path} {value:.4g} {unit}".rstrip() for path, value, unit in moved)
     count, ratio = len(search.others), min(ratio, 999.0)
     if ratio < _NEARLY:
-        text = (
-            f"{count} of {search.starts} start points led to another fit, the best of these with {values}, which "
-            f"leaves only {ratio:.3g} times as much: the data hardly tell the two apart"
-        )
-        return [*findings, Finding(name, "warning", text, ratio)]
-    text = (
-        f"{count} of {search.starts} start points led to another fit, the best of these with {values} and {ratio:.3g} "
-        "times as much left"
-    )
-    return [*findings, Finding(name, "note", text, ratio)]
+        return [
+            *findings,
+            finding(
+                "identify.other_fit_as_good", name, ratio, count=count, starts=search.starts, values=values, ratio=ratio
+            ),
+        ]
+    return [
+        *findings,
+        finding("identify.other_fit_worse", name, ratio, count=count, starts=search.starts, values=values, ratio=ratio),
+    ]
 
 
 _NEARLY = 1.5
@@ -664,12 +650,7 @@ def _beyond_noise(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     if not loud:
         return []
     channels = ", ".join(f"{name} ({min(times, 99.0):.2g} times)" for name, times in loud.items())
-    text = (
-        f"what is left is more than the noise of the records and has a pattern: {channels}. Model, sensors or trials "
-        "lack something, and the values may be off by more than their intervals, which count noise only; with three "
-        "trials or more doubt = jn.Doubt() counts it, too"
-    )
-    return [Finding("intervals", "note", text, max(loud.values()))]
+    return [finding("identify.more_than_noise", "intervals", max(loud.values()), channels=channels)]
 
 
 def _copies(problem: UpdateProblem) -> list[Finding]:
@@ -678,8 +659,7 @@ def _copies(problem: UpdateProblem) -> list[Finding]:
     for trial in problem.trials:
         record = tuple(channel.measured.tobytes() for channel in trial.channels)
         if record in first:
-            text = f"the same numbers as {first[record]}: a copy is no repetition, and intervals come out too narrow"
-            findings.append(Finding(trial.source.name, "warning", text))
+            findings.append(finding("identify.copy_of_trial", trial.source.name, other=first[record]))
         first.setdefault(record, trial.source.name)
     return findings
 
@@ -700,6 +680,5 @@ def _common_factors(problem: UpdateProblem) -> list[Finding]:
     for i, free in enumerate(problem.free):
         factors = [trial.factors[i] for trial in problem.trials]
         if max(factors) - min(factors) > 1e-9:
-            text = "start values differ between the trials; one common factor is fitted, the value is the first trial's"
-            findings.append(Finding(free.path, "note", text, float(max(factors) / min(factors))))
+            findings.append(finding("identify.common_factor", free.path, max(factors) / min(factors)))
     return findings
