@@ -21,7 +21,7 @@ from jounce.core.units import Unit, to_si
 Spread = str | Sequence[float | str] | Mapping[str, float | str]
 """Over what a number is spread: see :func:`sobol`."""
 Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
-MOST = 50_000_000
+MOST = 50_000_000  # variants: with ten parameters 4 GB
 """Variants of a design."""
 _FORMS = '"20 %", "±2 kg", ["14 kg", "18 kg"], {mean = "16 kg", sd = "0.5 kg"} or {low, mode, high}'
 _SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
@@ -29,7 +29,7 @@ _SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
 
 @dataclass(frozen=True)
 class Design(Shown):
-    """Variants still to be worked out for a rig; made by :func:`grid`, :func:`sobol` and the like.
+    """Variants not yet evaluated for a rig; made by :func:`grid`, :func:`sobol` and the like.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Design(Shown):
     count : int
         Number of variants.
     seed : int
-        What random points follow from: the same points each time.
+        Seed of random points.
     """
 
     kind: Kind
@@ -56,8 +56,8 @@ class Design(Shown):
     ) -> dict[str, Array]:
         """Return the values (SI) of every variant by path.
 
-        ``number`` gives value and SI unit of the number at a path, ``whole`` whether it is whole (without it none is).
-        With ``limit`` a range that reaches beyond it is refused before (see :meth:`refuse_outside`).
+        ``number`` returns value and SI unit of the parameter at a path, ``whole`` whether it is an integer (default:
+        never). With ``limit`` a range that reaches beyond it is refused before (see :meth:`refuse_outside`).
         """
         if self.kind == "grid":
             columns = [_list(given, number(path)[1], path) for path, given in self.spreads.items()]
@@ -75,10 +75,10 @@ class Design(Shown):
         limit: Callable[[str], Unit],
         whole: Callable[[str], bool] | None = None,
     ) -> None:
-        """Refuse a range that reaches beyond what a description allows, before anything runs.
+        """Refuse a range beyond the limits of a description, before anything runs.
 
-        An end may lie on a limit that itself is forbidden (``above 0``): no point is drawn there. A normal distribution
-        has no ends, and a grid names each of its values: what of them is forbidden are variants without a run.
+        An end may lie on an excluded limit (``above 0``): no point is drawn there. A normal distribution
+        is unbounded, and a grid lists its values: their forbidden values are not run.
         """
         if self.kind != "grid":
             self._refuse_outside(self._laws(number, whole), limit)
@@ -98,14 +98,14 @@ class Design(Shown):
     def _laws(
         self, number: Callable[[str], tuple[float, str]], whole: Callable[[str], bool] | None
     ) -> dict[str, Callable[[Array], Array]]:
-        """What shares between 0 and 1 become of every number, SI."""
+        """Map shares between 0 and 1 to values of every parameter, SI."""
         laws = {path: _law(spread, *number(path), path) for path, spread in self.spreads.items()}
         rounded = [path for path in laws if whole is not None and whole(path)]
         return laws | {path: _in_whole(laws[path], self.spreads[path], path) for path in rounded}
 
 
 def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
-    """Lay out every combination of values.
+    """Combine all values.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
     Raises
     ------
     DescriptionError
-        Where there is nothing to vary, or too much.
+        If there is nothing to vary, or there are too many variants.
 
     Examples
     --------
@@ -135,7 +135,7 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
 
 
 def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
-    """Spread points evenly over all numbers at once: a scrambled Sobol sequence [sobol1967].
+    """Spread points evenly over all parameters: a scrambled Sobol sequence [sobol1967].
 
     Means over such points converge faster than over random ones, most evenly for a ``count`` that is a power of 2.
 
@@ -150,7 +150,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
     count : int
         Number of variants.
     seed : int
-        Of the scrambling: the same points each time.
+        Seed of the scrambling.
 
     Returns
     -------
@@ -160,7 +160,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
     Raises
     ------
     DescriptionError
-        Where there is nothing to vary, a spread is none, or there are too many variants.
+        If there is nothing to vary, a spread is empty, or there are too many variants.
 
     Notes
     -----
@@ -176,7 +176,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
 
 
 def latin_hypercube(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
-    """Spread points so that each number takes every ``count``-th part of its range once [mckay1979].
+    """Spread points so that each parameter takes every ``count``-th part of its range once [mckay1979].
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ def latin_hypercube(spreads: Mapping[str, Spread], count: int, *, seed: int = 0)
     count : int
         Number of variants.
     seed : int
-        Of the random order: the same points each time.
+        Seed of the random order.
 
     Returns
     -------
@@ -207,7 +207,7 @@ def latin_hypercube(spreads: Mapping[str, Spread], count: int, *, seed: int = 0)
 
 
 def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
-    """Draw points at random, each without regard to the others.
+    """Draw independent random points.
 
     Parameters
     ----------
@@ -216,7 +216,7 @@ def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> 
     count : int
         Number of variants.
     seed : int
-        Of the random numbers: the same points each time.
+        Seed of the random numbers.
 
     Returns
     -------
@@ -238,9 +238,9 @@ def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> 
 
 
 def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -> Design:
-    """Lay out trajectories that change one number after the other: which of many matter at all [morris1991].
+    """Make trajectories that change one parameter at a time, to screen many parameters [morris1991].
 
-    Each trajectory begins anywhere and moves every number once, in a random order, by half of its shares between 0 and
+    Each trajectory starts anywhere and moves every parameter once, in random order, by half of its shares between 0 and
     1, from one of 8 levels (the middle of every eighth) to another. A dozen trajectories tell what matters from what
     does not; :func:`sensitivity_indices` does so with their results.
 
@@ -249,9 +249,9 @@ def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -
     spreads : mapping
         As for :func:`sobol`.
     trajectories : int
-        Trajectories, each of one variant more than there are numbers.
+        Number of trajectories; each has one variant more than there are parameters.
     seed : int
-        Of the random places and orders: the same points each time.
+        Seed of the random starts and orders.
 
     Returns
     -------
@@ -273,7 +273,7 @@ def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -
 
 
 def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Design:
-    """Lay out pairs of points that exchange one number after the other: for Sobol's indices [saltelli2010].
+    """Make pairs of points that exchange one parameter at a time, for Sobol's indices [saltelli2010].
 
     What share of a metric's variance each number is behind, alone and with others, :func:`sensitivity_indices` then
     tells from their results. Of each pair of points both are run, and the first one with each number of the second.
@@ -283,9 +283,9 @@ def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Des
     spreads : mapping
         As for :func:`sobol`; the numbers are independent of each other.
     pairs : int
-        Pairs of points, best a power of 2; each is two variants more than there are numbers.
+        Pairs of points, best a power of 2; each has two variants more than there are parameters.
     seed : int
-        Of the scrambling: the same points each time.
+        Seed of the scrambling.
 
     Returns
     -------
@@ -321,10 +321,10 @@ def _named(given: object) -> Mapping[str, Any]:
 
 
 def is_list(values: Any) -> bool:
-    """Whether it is a list, array or column of any library that holds something; no text and no mapping."""
+    """Whether an object is a non-empty list, array or column of any library; not a text or mapping."""
     try:
         return len(values) > 0 and not isinstance(values, str | Mapping)
-    except TypeError:  # a single number, too, may have a length in name only
+    except TypeError:  # a scalar may have a `__len__` that raises
         return False
 
 
@@ -355,7 +355,7 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
 
 
 _BITS = 30
-_FIRST = 1024  # points laid out one after the other: as many steps of their own as doublings would take cost more
+_FIRST = 1024  # points made one by one; below it doubling costs more
 _TURNS = np.array([(i & -i).bit_length() - 1 for i in range(1, _FIRST)])  # along which direction each moves
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
 _BELOW, _DIAGONAL = np.tri(_BITS, k=-1), np.eye(_BITS)
@@ -403,7 +403,7 @@ def _directions(numbers: int, count: int) -> Array:
 
 
 LEVELS = 8
-"""Of each number on a trajectory of :func:`morris`; a step goes over half of them."""
+"""Levels of each parameter on a trajectory of :func:`morris`; a step spans half of them."""
 
 
 def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Array:
@@ -417,7 +417,7 @@ def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Arra
 
 
 def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
-    """What shares between 0 and 1 become, SI."""
+    """Map shares between 0 and 1 to values, SI."""
     if isinstance(spread, str) and spread.strip().startswith("±") and not spread.strip().endswith("%"):
         reach = to_si(spread.strip().removeprefix("±"), unit, where=path)
         if not 0.0 < reach < math.inf:
@@ -460,7 +460,7 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
 
 
 def _in_whole(law: Callable[[Array], Array], spread: object, path: str) -> Callable[[Array], Array]:
-    """Have whole numbers alone come out of a law, those at the ends of a range as likely as any between them."""
+    """Make a law return integers only, with those at the ends of a range as likely as the others."""
     begin, end = law(np.array([0.0, 1.0])).tolist()
     if not (math.isfinite(begin) and math.isfinite(end)):
         return lambda share: np.rint(law(share))
@@ -503,4 +503,4 @@ DESIGNS: Mapping[str, Callable[..., Design]] = {
     "morris": morris,
     "saltelli": saltelli,
 }
-"""What makes a design, by its kind."""
+"""Function that makes a design, by its kind."""

@@ -1,4 +1,4 @@
-"""Variants one by one of which a few channels are wanted: code for these alone, in arrays that are used again.
+"""Variants run one by one for a few channels: code for these channels only, in reused arrays.
 
 A car has sixty channels. To make all of them over a minute, in memory that is new each time, takes longer than the
 steps of the run.
@@ -20,7 +20,7 @@ from jounce.simulation.result import angles_of, branch_limits, flipped_at, ran_a
 from jounce.simulation.settings import RunSettings
 from jounce.variants.stepped import code_of_outputs
 
-LEAST = 16
+LEAST = 16  # runs from which compiling code for a few channels pays
 """Runs below which code for a few channels is not worth its making: hundredths of a second."""
 
 
@@ -31,7 +31,7 @@ def are_worth_it(compiled: Compiled) -> bool:
 
 @dataclass(frozen=True)
 class FewChannels:
-    """Runs of a model of which some channels are wanted; what a run gives lasts until the next one of its thread."""
+    """Runs of a model for some channels; a result is valid until the next run of its thread."""
 
     compiled: Compiled
     wanted: tuple[str, ...]
@@ -39,7 +39,7 @@ class FewChannels:
 
     @once
     def names(self) -> tuple[str, ...]:
-        """Channels that are made: those wanted, and those that tell whether it is still a suspension."""
+        """Computed channels: the requested ones, and those that show whether it still is a suspension."""
         known = self.compiled.output_names
         return tuple(dict.fromkeys([*self.wanted, *(known[row] for row in branch_limits(known)), *angles_of(known)]))
 
@@ -56,7 +56,7 @@ class FewChannels:
     ) -> tuple[Array, Array] | None:
         """Samples of the channels (``names``) and their values at rest.
 
-        None where the run does not reach its end, or is no suspension's: one with all channels says why.
+        None if the run stops early or no longer is a suspension: a run with all channels gives the reason.
         """
         samples = self._samples(times)
         prepared = prepare(

@@ -1,4 +1,4 @@
-"""What many runs found, each thing once: as texts with the number of variants that it was found of."""
+"""Findings of many runs, each once, with the number of variants that have it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _NUMBER = re.compile(r"(?<![\w.\[])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w\]])")
 
 
 class Tally:
-    """Counts findings that differ in their numbers only as one, under the first text of them."""
+    """Counts findings that differ only in their numbers as one, under the first of their texts."""
 
     def __init__(self) -> None:
         self._found: dict[str, tuple[str, int]] = {}
@@ -36,7 +36,7 @@ class Tally:
         self._found[kind] = first, before + count
 
     def attributes(self) -> dict[str, Any]:
-        """Return the attributes; none where nothing was found."""
+        """Return the attributes; none without findings."""
         if not self._found:
             return {}
         texts, counts = zip(*self._found.values(), strict=True)

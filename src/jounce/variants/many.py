@@ -1,4 +1,4 @@
-"""Many runs of one rig: numbers of the description, the trial or the controller vary, everything else is kept."""
+"""Many runs of one rig: parameters of the description, the trial or the controller vary."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ _TRIAL, _CONTROL = "trial.", "control."
 
 @dataclass(frozen=True)
 class Work:
-    """What is run of every variant and kept of it: all that another process needs, but for the variants.
+    """The run of every variant and the results to keep: all that another process needs, except the variants.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Work:
     metrics : list of RunMetric
         Numbers of each run.
     channels : list of str
-        Channels that are kept over time.
+        Channels stored over time.
     design : dict
         How the variants were laid out, where by a design.
     """
@@ -104,7 +104,7 @@ def prepared(
     outputs: Sequence[str] | str | None,
     control: Controller | None,
 ) -> tuple[Work, dict[str, Array]]:
-    """Read what is asked for: the work, and the values (SI) of every variant by path."""
+    """Read a request: the work, and the values (SI) of every variant by path."""
     if metrics is not None and not len(metrics) and not outputs:
         raise DescriptionError("nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']")
     study = Study(rig, trial, settings, control)
@@ -122,14 +122,14 @@ def prepared(
 
 @dataclass(frozen=True)
 class _Frame:
-    """What stands around results, and does not follow from them: it can be made while they are computed."""
+    """Parts of a result that do not depend on the runs; they are made while these are computed."""
 
     study: Study
     columns: Mapping[str, Array]
     first: int
 
     def make(self) -> None:
-        """Make all of it."""
+        """Make all parts."""
         _ = self.axes, self.beside, self.outside
 
     @cached_property
@@ -187,7 +187,7 @@ class _Results:
 
     @cached_property
     def found(self) -> Tally:
-        """What controllers found."""
+        """Findings of controllers."""
         return Tally()
 
     def dataset(self, design: Mapping[str, str | int]) -> xr.Dataset:
@@ -230,7 +230,7 @@ def _numbered(first: int, count: int) -> xr.Dataset:
 
 @dataclass(frozen=True)
 class Study:
-    """What all variants share, and the numbers that may vary."""
+    """Everything that the variants share, and the parameters that may vary."""
 
     rig: Rig
     trial: Trial
@@ -238,12 +238,12 @@ class Study:
     control: Controller | None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """What another process needs: the descriptions, from which it compiles its own."""
+        """State for another process: the descriptions, from which it compiles its own model."""
         return Study, (self.rig, self.trial, self.settings, self.control)
 
     @cached_property
     def compiled(self) -> Compiled:
-        """The model, with its actuator where there is one."""
+        """The model, with its actuator if there is one."""
         if self.control is not None:
             from jounce.simulation.controlled import close_loop
 
@@ -253,7 +253,7 @@ class Study:
 
     @cached_property
     def reduction(self) -> Reduction | None:
-        """The rig by its one internal coordinate, where it has one and runs may be made by it."""
+        """The rig reduced to its one internal coordinate, or None if runs may not use that."""
         return reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
 
     @cached_property
@@ -268,7 +268,7 @@ class Study:
 
     @cached_property
     def long_names(self) -> dict[str, str]:
-        """What every channel is, in words."""
+        """Label of every channel."""
         return {output.name: output.long_name for output in self.compiled.facts.outputs}
 
     @cached_property
@@ -277,7 +277,7 @@ class Study:
         return self.compiled.parameter_values(self.rig.parameters())
 
     def channels(self, given: Sequence[str] | str | None) -> list[str]:
-        """Names of the channels meant; one that every corner has is that of all of them."""
+        """Names of requested channels; one that every corner has stands for all of them."""
         result: list[str] = []
         for name in [given] if isinstance(given, str) else given or []:
             channels = channels_of(name, list(self.units))
@@ -287,14 +287,14 @@ class Study:
         return list(dict.fromkeys(result))
 
     def few_of(self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int) -> FewChannels | None:
-        """How so many runs one by one may make no more channels than are wanted; None where that is not worth it."""
+        """Code for the requested channels only; None if it does not pay for so few runs."""
         if self.control is not None or runs < few_channels.LEAST or not few_channels.are_worth_it(self.compiled):
             return None
         wanted = dict.fromkeys([*(metric.channel for metric in metrics), *channels])
         return FewChannels(self.compiled, tuple(wanted)) if len(wanted) < len(self.units) else None
 
     def owner(self, path: str) -> tuple[Any, str]:
-        """What a path leads into, and the rest of the path."""
+        """Description that a path leads into, and the remaining path."""
         for prefix, of in ((_TRIAL, self.trial), (_CONTROL, self.control)):
             if path.startswith(prefix):
                 if of is None:
@@ -369,12 +369,12 @@ class Study:
         return self.rig.with_changes(own), trial, control
 
     def allows_all(self, own: Mapping[str, Array]) -> bool:
-        """Whether the description allows all values of the rig's numbers; not where it takes as long to ask for each.
+        """Whether the description allows all values of the rig's parameters; False if a check of each is as cheap.
 
-        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners
+        Conditions on several parameters together (one below another) hold inside if they hold at all corners
         of what the variants span, so that each is looked at only where these are more, or one is forbidden.
         """
-        if not own:  # the rig as it is
+        if not own:  # the unchanged rig
             return True
         box = [(float(column.min()), float(column.max())) for column in own.values()]
         known = _allowed_boxes(self.rig)
@@ -382,7 +382,7 @@ class Study:
         if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
             return True
         if 2 ** len(own) < len(next(iter(own.values()))):
-            for reach in (1.0, 0.0):  # beyond the ends, too: the next sweeps may lie there
+            for reach in (1.0, 0.0):  # also beyond the ends: the next sweeps may lie there
                 wide = [(low - reach * (high - low), high + reach * (high - low)) for low, high in box]
                 if all(map(partial(self.is_allowed, own), itertools.product(*wide))):
                     known[tuple(own)] = wide
@@ -420,7 +420,7 @@ class Study:
 
 @dataclass(frozen=True)
 class _Group:
-    """Variants of the rig over one trial; with a reason where none of them can run."""
+    """Variants of the rig over one trial; with a reason if none of them can run."""
 
     study: Study
     trial: Trial
@@ -487,7 +487,7 @@ class _Group:
     def _side_by_side(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
-        """Fill in what can run side by side; tell which variants are left."""
+        """Fill in the variants that can run in vectors; return the remaining ones."""
         study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
         limits = branch_limits(study.compiled.output_names)
         kept = [study.compiled.output_names.index(name) for name in names]
@@ -498,7 +498,7 @@ class _Group:
         if sums is None:
             return np.ones(len(rows), dtype=bool)
         careful = sums.alone.copy()
-        for place, limit in limits.items():  # what runs away is said where it runs alone
+        for place, limit in limits.items():  # a single run reports variants that run away
             j = channels.index(place)
             careful |= ~(
                 np.maximum(np.abs(sums.rest[:, j] + sums.least[:, j]), np.abs(sums.rest[:, j] + sums.most[:, j]))
@@ -516,7 +516,7 @@ class _Group:
         return careful
 
     def _layout(self, channels: Sequence[int]) -> Layout | None:
-        """What variants side by side share, kept beside the trial for the sweeps to come."""
+        """Layout shared by vectorised variants, stored with the trial for later sweeps."""
         study = self.study
         kept = _layouts_of(self.trial)
         wheels = tuple(study.rig.wheels.items()) if isinstance(study.rig, Vehicle) else ()
@@ -534,9 +534,9 @@ class _Group:
     def _stepped(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
-        """Fill in what can be stepped side by side; tell which variants are left.
+        """Fill in the variants that can be stepped in vectors; return the remaining ones.
 
-        Those whose wheel left its table go on over a wider one that does for all of them, or for half.
+        Variants whose wheel left its table continue over a wider one that suffices for all of them, or for half.
         """
         careful, left = np.ones(len(rows), dtype=bool), np.arange(len(rows))
         may = self.study.settings.method != "implicit" and len(rows) >= stepped.LEAST
@@ -559,7 +559,7 @@ class _Group:
     def _step_through(
         self, results: _Results, laid_out: _LaidOut, rows: NDArray[np.int64], threads: int | None
     ) -> _Travelled:
-        """Step variants and fill in what stays where their tables hold; tell where the others have been."""
+        """Step variants and fill in those that stay within their tables; return the travel of the others."""
         study, nowhere = self.study, np.full(len(rows), np.nan)
         told = _Travelled(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
         base, numbers, sound, one, tolerance = laid_out
@@ -580,7 +580,7 @@ class _Group:
             count = min(wide, len(rows) - first)
             inside = one.holds(states)[:count] if one is not None else np.ones(count, dtype=bool)
             kept = np.ones(wide, dtype=bool)
-            for name, limit in limits.items():  # what runs away is said where it runs alone
+            for name, limit in limits.items():  # a single run reports variants that run away
                 course = found[row_of[name]]
                 kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
             for name in angles:
@@ -607,9 +607,9 @@ class _Group:
         return told
 
     def _laid_out(self, parameters: Array, travel: tuple[float, float] | None = None) -> _LaidOut | None:
-        """How variants may be stepped side by side; None where they may not, or where the rig itself cannot run.
+        """Prepare the stepping of variants in vectors; None if impossible, or if the rig itself cannot run.
 
-        Where a wheel is known to have been, in ``travel`` (m), tables reach farther than that.
+        The tables reach beyond ``travel`` (m), the known travel of the wheel.
         """
         study = self.study
         times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
@@ -637,8 +637,8 @@ class _Group:
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return laid_out if steps else None
 
-    def _alone(self, results: _Results, row: int, run: Callable[[], _Found]) -> None:
-        """Fill in what a run gives, or why there is none."""
+    def _alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
+        """Fill in the result of a run, or the reason why there is none."""
         try:
             found = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
@@ -654,7 +654,7 @@ class _Group:
         if results.channels:
             results.courses[row] = found.outputs[[found.names.index(name) for name in results.channels]]
 
-    def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _Found:
+    def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _RunSamples:
         """Run the rig with some of its numbers changed."""
         settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
         if self.control is not None:
@@ -663,20 +663,20 @@ class _Group:
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
             findings = run.attributes.get("findings", ())
-            return _Found(compiled.output_names, outputs, outputs[:, 0], findings)
+            return _RunSamples(compiled.output_names, outputs, outputs[:, 0], findings)
         signals = excitation(compiled.facts, rig, self.trial)
         return self._solve(compiled.parameter_values(rig.parameters()), signals, few)
 
-    def _solve(self, p: Array, signals: list[Segments], few: FewChannels | None) -> _Found:
-        """Run the model with values (SI) of all its parameters; nothing is found."""
+    def _solve(self, p: Array, signals: list[Segments], few: FewChannels | None) -> _RunSamples:
+        """Run the model with values (SI) of all its parameters; without findings."""
         settings, compiled = self.study.settings, self.study.compiled
         times = settings.times(self.trial.duration)
         some = self._reduced(p, signals, times)
         if some is not None:
-            return _Found(compiled.output_names, *some)
+            return _RunSamples(compiled.output_names, *some)
         some = few.run(p, signals, times, settings) if few is not None else None
         if few is not None and some is not None:
-            return _Found(few.names, *some)
+            return _RunSamples(few.names, *some)
         prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
         solution = held_to_its_branch(compiled, prepared.run())
         samples_reached(solution, compiled.facts, check=True)
@@ -684,7 +684,7 @@ class _Group:
         rest = solution.outputs[:, 0]
         if at is not None:
             rest = compiled.evaluate("output", at.x, prepared.still, p, at.modes)
-        return _Found(compiled.output_names, solution.outputs, rest)
+        return _RunSamples(compiled.output_names, solution.outputs, rest)
 
     def _reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
         """The same by one coordinate for each corner; None where that does not do."""
@@ -707,7 +707,7 @@ class _Group:
 
 
 def _shared(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
-    """Take items, shared by threads from where one took so long that they are worth it.
+    """Take items, by several threads as soon as one item took long enough.
 
     Short runs are Python for the most part, on which one thread at a time works: two that hand it to each other take
     twice as long as one. The first makes what all of them share.
@@ -722,11 +722,11 @@ def _shared(items: Sequence[Item], take: Callable[[Iterable[Item]], None], worke
         take(items)
 
 
-_LONG = 2e-3  # s, of processor time
+_LONG = 2e-3  # s of processor time: far above the start of a thread
 
 
-class _Found(NamedTuple):
-    """What a run gives: channels, their samples and values at rest, a row each, and findings."""
+class _RunSamples(NamedTuple):
+    """Result of a run: channels, their samples and values at rest, one row each, and findings."""
 
     names: Sequence[str]
     outputs: Array
@@ -735,7 +735,7 @@ class _Found(NamedTuple):
 
 
 class _LaidOut(NamedTuple):
-    """A run of the rig itself, parameters of the variants, which of them are sound, and that run with its table."""
+    """A run of the rig itself, parameters of the variants, flags of valid ones, and the reduced run with its table."""
 
     base: PreparedRun
     numbers: Array
@@ -745,7 +745,7 @@ class _LaidOut(NamedTuple):
 
 
 class _Travelled(NamedTuple):
-    """Which variants stayed where their tables hold, and where the wheels that left them have been (m)."""
+    """Flags of variants that stayed within their tables, and the travel of wheels that left them (m)."""
 
     held: NDArray[np.bool_]
     low: Array
@@ -754,7 +754,7 @@ class _Travelled(NamedTuple):
 
 @remembered
 def _quantities_of(description: object) -> dict[str, tuple[float, Unit]]:  # noqa: ARG001 - kept beside it
-    """Values (SI) of those numbers of a rig, a trial or a controller that were asked for, their units and ranges."""
+    """Values (SI) of requested parameters of a rig, trial or controller, with units and ranges."""
     return {}
 
 
@@ -764,17 +764,17 @@ def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]
     return {}
 
 
-_MOST_LAYOUTS = 4
+_MOST_LAYOUTS = 4  # for each trial: a sweep and its repeats
 
 
 @remembered
 def _layouts_of(trial: Trial) -> dict[object, Layout | None] | None:
-    """What variants side by side have shared over a trial so far; None where a file holds its road: it may change."""
+    """Layouts used over a trial so far; None if its road is a file, which may change."""
     return {} if is_lasting(trial) else None
 
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
-    """Numbers of a trial or a controller by path, whole ones (a seed) included; or these alone."""
+    """Parameters of a trial or controller by path, including integers (a seed); or integers only."""
     numbers = {} if whole else parameters_of(description)
     for name in type(description).model_fields:
         value = getattr(description, name)

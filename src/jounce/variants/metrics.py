@@ -1,6 +1,6 @@
-"""Numbers that a run is judged by, as words: ``rms sprung.az``, ``max tyre.force``, ``Wk sprung.az``.
+"""Metrics of a run, named by words: ``rms sprung.az``, ``max tyre.force``, ``Wk sprung.az``.
 
-What they are made of can be summed up sample by sample, but for the weightings of ISO 2631-1, which need the course of
+All of them are sums over samples, except the weightings of ISO 2631-1, which need the course of
 the channel.
 """
 
@@ -27,12 +27,12 @@ WORDS = {
     "max": "greatest value",
     "range": "greatest less least value",
 }
-"""What a metric may begin with, beside the names of weightings."""
+"""First words of metrics, in addition to the names of weightings."""
 
 
 @dataclass(frozen=True)
 class RunMetric:
-    """One number of a run: what is made of a channel.
+    """One metric of a run, computed from a channel.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class RunMetric:
 
     @property
     def long_name(self) -> str:
-        """What it is, in words."""
+        """Label."""
         what = WORDS.get(self.word) or f"root mean square, weighted by {self.word}, about the value at rest"
         return f"{self.channel}: {what}"
 
@@ -64,7 +64,7 @@ class RunMetric:
 
 
 def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[RunMetric]:
-    """Read metrics; ``units`` has the SI unit of every channel. One of all corners becomes one for each of them."""
+    """Read metrics; ``units`` has the SI unit of every channel. A metric of all corners becomes one for each."""
     metrics: list[RunMetric] = []
     for text in [texts] if isinstance(texts, str) else texts:
         words = str(text).split()

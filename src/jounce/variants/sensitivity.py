@@ -1,4 +1,4 @@
-"""What a metric of many runs depends on: Morris' effects, Sobol's indices, or regression, each with its confidence."""
+"""Sensitivities of metrics of many runs: Morris' effects, Sobol's indices, or regression, with confidence intervals."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ Of the closed forms of Ishigami's function, the g-function and a sum they hold 7
 90 to 100 % of 16 and 32 pairs (each index by itself), without it 43 to 97 % and 77 to 100 %.
 """
 _NEVER_NEGATIVE = ("total", "mean_absolute_effect", "effect_spread")
-_NORMAL = 1.959964  # standard errors to either side that hold 95 %
-_END = 0.2  # of the variants, at either end of a number's range
+_NORMAL = 1.959964  # standard errors to either side of a 95 % interval
+_END = 0.2  # share of the variants at either end of a parameter's range
 _FEWEST = 3
-_LEAST = 1e-12  # of a metric's size: what varies less is rounding
+_LEAST = 1e-12  # of a metric's size: smaller variation is rounding
 
 
 def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> xr.Dataset:
-    """Tell which of the varied numbers a metric depends on, and how surely.
+    """Estimate how metrics depend on the varied parameters, with confidence intervals.
 
-    What can be told follows from how the variants were laid out: Sobol's indices from :func:`saltelli`, mean and spread
+    The measure depends on the design of the variants: Sobol's indices from :func:`saltelli`, mean and spread
     of elementary effects from :func:`morris`, regression from all others. It is not the derivative at the rig
-    unchanged, which :func:`sensitivities` gives exactly.
+    unchanged, which :func:`sensitivities` computes exactly.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def _resampled(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, .
 def _with_ends(
     names: Sequence[str], rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
 ) -> dict[str, Array]:
-    with np.errstate(divide="ignore", invalid="ignore"):  # a draw in which nothing varies
+    with np.errstate(divide="ignore", invalid="ignore"):  # a draw without variation
         found = estimate(slice(None))
         ends = _resampled(rows, numbers, estimate)
     results: dict[str, Array] = {}

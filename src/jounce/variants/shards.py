@@ -1,4 +1,4 @@
-"""Long sweeps on the disk: results by shards, each whole or not there, and what a resumed sweep must agree with.
+"""Long sweeps on disk: results in shards, each complete or absent, and the facts that a resumed sweep must match.
 
 A shard is a file named after its place and its checksum, so that both appear by one rename: what is killed leaves no
 shard that is half written, and one that was damaged since is found. It is a netCDF file, or, in a folder whose name
@@ -48,19 +48,19 @@ SCHEMA = "jounce.sweep-results/1"
 MANIFEST, SHARDS = "sweep.json", "shards"
 Say = Callable[[int, int], None]
 _NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.(nc|json)")
-_AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for a task weighs nothing
-_TRIED = 0.5  # s in which it is found out how long variants take
-_MOST_SHARDS = 1_000_000  # as their numbers have six digits
+_AIM = 4.0  # s of work in a shard: little is lost at an interrupt, and a cluster's overhead of some 10 ms is negligible
+_TRIED = 0.5  # s for measuring the time of a variant
+_MOST_SHARDS = 1_000_000  # file names have six digits
 _LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
-_LONG = 20.0  # s of work, from which on processes are worth their start
-_TASK = 0.2  # s of work in a shard that another process is given, at least
-_PER_WORKER = 4  # shards each worker has at least, so that all end together
+_LONG = 20.0  # s of work from which several processes pay for their start
+_TASK = 0.2  # s, least work in a shard for another process
+_PER_WORKER = 4  # least shards for each worker, so that all end together
 _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
-_MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
+_MOST_NUMBERS = 400_000_000  # numbers in one dataset: 3.2 GB
 _COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
 _MOST_DIFFERENCES = 5
 _COLUMN = re.compile(r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}")  # values of a number, as `study_of` writes them
-_NEAR = 0.02  # of its range: by which the ends of a number move where its values are drawn anew
+_NEAR = 0.02  # share of its range by which the ends of a parameter move when its values are drawn again
 _LONG_LIST = 50
 
 
@@ -71,9 +71,9 @@ class Kept:
     Attributes
     ----------
     folder : Path
-        Where it lies.
+        Its path.
     about : dict
-        What ``sweep.json`` says: ``count`` and ``shard`` (variants), ``study``, ``command``, version.
+        Content of ``sweep.json``: ``count`` and ``shard`` (variants), ``study``, ``command``, version.
     """
 
     folder: Path
@@ -91,12 +91,12 @@ class Kept:
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
-        """First variant of each shard, and the one behind its last."""
+        """First variant of each shard, and the one after its last."""
         size = int(self.about["shard"])
         return [(first, min(first + size, self.count)) for first in range(0, self.count, size)]
 
     def names(self) -> dict[int, list[Path]]:
-        """Files of each shard: one, or more where a damaged one lies beside."""
+        """Files of each shard: one, or more if a damaged one exists."""
         result: dict[int, list[Path]] = {}
         for file in sorted((self.folder / SHARDS).glob(f"*{self._suffix}")):
             match = _NAME.fullmatch(file.name)
@@ -125,7 +125,7 @@ class Kept:
                 file.unlink(missing_ok=True)
 
     def read(self, number: int) -> xr.Dataset | None:
-        """Read a shard; none where it is damaged."""
+        """Read a shard; None if it is damaged."""
         for file in self.names()[number]:
             content = file.read_bytes()
             if checksum(content) != file.name.split(".")[1]:
@@ -168,7 +168,7 @@ def keep_in_shards(
     say: Say = lambda _done, _count: None,
     command: str = "",
 ) -> xr.Dataset:
-    """Run variants into a folder, shard by shard; give what :func:`load_sweep` reads of it.
+    """Run variants into a folder, shard by shard; return the result of :func:`load_sweep`.
 
     ``say`` is reported how many variants are done, and of how many; ``command`` is what was typed. Without a number of
     ``workers`` there is one a processor where variants run alone, and for long.
@@ -209,7 +209,7 @@ def keep_in_shards(
             results = on_processes(min(workers, len(tasks)), work, tasks)
         else:
             results = here(work, tasks, threads)
-        with closing(results):  # at once, whatever ends the loop: nobody works for a folder that takes nothing
+        with closing(results):  # at once, however the loop ends: workers must not continue
             for number, content in results:
                 _write(kept, number, content)
                 finished += kept.spans[number][1] - kept.spans[number][0]
@@ -234,7 +234,7 @@ def _refuse_taken(folder: Path, *, force: bool) -> None:
 
 
 def _write(kept: Kept, number: int, content: bytes) -> None:
-    """Put a shard in its place; where the disk takes no more, tell what is left of the work."""
+    """Store a shard; if the disk is full, report the remaining work."""
     try:
         kept.write(number, content)
     except OutputError as error:
@@ -243,7 +243,7 @@ def _write(kept: Kept, number: int, content: bytes) -> None:
 
 
 def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Dataset:
-    """Read the results of a sweep from its folder, as far as it has come.
+    """Read the results of a sweep from its folder, also of an unfinished one.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     Raises
     ------
     OutputError
-        For a folder that holds no sweep.
+        If a folder has no sweep.
 
     Examples
     --------
@@ -321,7 +321,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
 
 
 def read_kept(folder: Path) -> Kept:
-    """Read what a folder says of its sweep."""
+    """Read the description of a sweep from its folder."""
     file = folder / MANIFEST
     try:
         if not file.is_file():
@@ -404,19 +404,19 @@ def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
     if not changed:
         return
     drawn_anew = bool({"variants.seed", "variants.design"} & set(changed))
-    told = [_told(path, before.get(path), now.get(path), drawn_anew=drawn_anew) for path in changed]
-    told = list(dict.fromkeys(filter(None, told)))
-    more = f" and {len(told) - _MOST_DIFFERENCES} more" if len(told) > _MOST_DIFFERENCES else ""
+    texts = [_change_text(path, before.get(path), now.get(path), drawn_anew=drawn_anew) for path in changed]
+    texts = list(dict.fromkeys(filter(None, texts)))
+    more = f" and {len(texts) - _MOST_DIFFERENCES} more" if len(texts) > _MOST_DIFFERENCES else ""
     raise OutputError(
         "the sweep that is to be resumed was another one",
         where=str(kept.folder),
-        found=f"{'; '.join(told[:_MOST_DIFFERENCES])}{more}",
+        found=f"{'; '.join(texts[:_MOST_DIFFERENCES])}{more}",
         hint="Take back what was changed, or begin in another folder.",
     )
 
 
-def _told(path: str, before: Any, now: Any, *, drawn_anew: bool) -> str:
-    """What changed at a path; nothing where the values of a variant follow from what is reported already."""
+def _change_text(path: str, before: Any, now: Any, *, drawn_anew: bool) -> str:
+    """Describe a change at a path; empty if it follows from another reported change."""
     columns = [_COLUMN.fullmatch(str(value)) for value in (before, now)]
     if columns[0] is None or columns[1] is None:
         return f"{path}: {_short(before)} before, {_short(now)} now"
@@ -443,7 +443,7 @@ def _short(value: Any) -> str:
 def _planned(
     folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
 ) -> Kept:
-    """A sweep that is still to be begun, for which there is room on the disk."""
+    """Plan a new sweep; refuse it without enough room on the disk."""
     about = {
         "schema": SCHEMA,
         "count": len(next(iter(columns.values()))),
@@ -469,7 +469,7 @@ def _begin(kept: Kept) -> None:
 
 @dataclass(frozen=True)
 class _Pace:
-    """How long a variant takes (s), and whether most of them run alone."""
+    """Time of a variant (s), and whether most of them run one by one."""
 
     seconds: float
     is_alone: bool
@@ -478,7 +478,7 @@ class _Pace:
 def _pace(work: Work, columns: Mapping[str, Array]) -> _Pace:
     """Try how long the first variants take."""
     count, tried, before = len(next(iter(columns.values()))), 1, 0
-    work.run({path: column[:1] for path, column in columns.items()})  # whatever is compiled
+    work.run({path: column[:1] for path, column in columns.items()})  # compile first
     while True:
         started = time.perf_counter()
         found = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
@@ -508,7 +508,7 @@ def _bytes_of_a_variant(work: Work, columns: Mapping[str, Array]) -> int:
 
 
 def _check_disk(kept: Kept, work: Work, spans: list[tuple[int, int]]) -> None:
-    """Refuse, before the work, more results than there is room for."""
+    """Refuse results that exceed the room on the disk, before the work."""
     there = next(one for one in (kept.folder, *kept.folder.parents) if one.exists())
     paths = [path for path in kept.about["study"]["variants"] if path not in ("design", "seed")]
     each = _bytes_of_a_variant(work, dict.fromkeys(paths, np.array([work.study.trial.duration])))

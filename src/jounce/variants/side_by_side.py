@@ -21,18 +21,18 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.variants.threads import processors, share
 
-_SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
+_SPARE = 1.3  # ratio by which motions of a variant may be faster than those for which the step is chosen
 LEAST = 4
-"""Variants below which laying out all that they share takes longer than to run each alone."""
-_FEW = 64  # variants below which a thread more gains nothing
-_TURNS = 4  # in so many turns would workers be through with what is left, were it handed out in equal parts
+"""Variants below which the common preparation takes longer than single runs."""
+_FEW = 64  # variants below which another thread gains nothing
+_TURNS = 4  # a worker takes this fraction of its equal share of the remaining variants at a time
 _MOST_STEPS = 20_000_000
 _LINE = 64  # bytes
 
 
 @dataclass(frozen=True)
 class Sums:
-    """What was found of each variant and channel: mean, mean square, least and greatest value about ``rest``.
+    """Results of each variant and channel: mean, mean square, least and greatest value about ``rest``.
 
     All have one row a variant; ``rest`` is the value at rest. ``alone`` tells which variants have nothing here: they
     rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched. ``sums`` are
@@ -68,7 +68,7 @@ class Sums:
 
 @dataclass(frozen=True)
 class Layout:
-    """What all variants of a model share over one course: the work on them, but for their parameters and room.
+    """Work shared by all variants of a model over one course, without their parameters and arrays.
 
     Parameters of the numbers ``zero`` must be 0; there are so many ``samples``. ``rooms`` are those that threads have
     left: to lay one out takes as long as a dozen variants.
@@ -85,7 +85,7 @@ def sums_side_by_side(
 ) -> Sums | None:
     """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few.
 
-    ``meanwhile`` is what else is to be done: this thread does it while the others wake up.
+    ``meanwhile`` is other work that this thread does while the others wake up.
     """
     count = len(parameters)
     if count < LEAST or np.any(parameters[:, list(layout.zero)] != 0.0):
@@ -246,7 +246,7 @@ def _apart(work: lanes.Work) -> lanes.Work:
 
 
 def _in_line(array: Array) -> Array:
-    """A copy that begins with a line of the cache: steps take half as long again where vectors lie across two."""
+    """A copy aligned to a cache line: steps take 1.5 times as long if vectors cross lines."""
     room = np.empty(array.nbytes + _LINE, dtype=np.uint8)
     in_line: Array = np.ndarray(array.shape, array.dtype, room.data, -room.ctypes.data % _LINE)
     in_line[...] = array

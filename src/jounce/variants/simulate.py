@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from jounce.control import Controller
     from jounce.simulation.controlled import AnyControl
 
-_MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
+_MOST_SAMPLES = 400_000_000  # numbers of channels over time: 3.2 GB
 
 
 def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
@@ -45,7 +45,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
 ) -> xr.Dataset:
     """Simulate many variants of a rig over a trial, each from its own static equilibrium.
 
-    What is linear between its contacts runs side by side in vector registers, threads sharing the variants; only sums
+    Piecewise linear models run in vector registers, with threads sharing the variants; only sums
     of the samples are kept then. A variant goes through its events by itself and comes back to the others. Corners that
     run as one coordinate, other models without loops and, from 256 variants on, corners as mechanisms are integrated in
     blocks of common steps, which moves their results by less than the tolerance. All other runs are those of
@@ -54,9 +54,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     Parameters
     ----------
     rig : Rig, str or Path
-        What all variants start from: a rig or a vehicle, its file or its name in the library.
+        Base of all variants: a rig or a vehicle, its file or its name in the library.
     trial : Trial
-        What all of them are driven over.
+        Trial of all variants.
     variants : mapping, DataFrame or Design
         Path of a number to its value in each variant, SI or texts with units, all of one length; a table with such
         columns, ``path [unit]`` or in SI; or a design (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`,
@@ -73,7 +73,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     control : Controller, str, Path or callable, optional
         As for :func:`simulate`.
     threads : int, optional
-        Threads that share the variants; as many as there are processors by default.
+        Threads that share the variants; by default one for each processor.
     out : path, optional
         Folder in which results are kept by shards as they come, so that long sweeps survive what stops them;
         :func:`load_sweep` reads it. The shards are netCDF files, or, where its name ends in ``.zarr``, the chunks of a
@@ -105,9 +105,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
         and for more results than the disk has room for.
     RecordingError
-        For a weighting of runs that are too short for it, as :func:`ride_metrics` has it.
+        If runs are too short for a weighting, as in :func:`ride_metrics`.
     SimulationError
-        If the rig as it is does not run on the trial.
+        If the unchanged rig does not run on the trial.
 
     Examples
     --------

@@ -1,9 +1,9 @@
-"""Variants of a model side by side in steps of one length: each state is a vector, a lane for each.
+"""Variants of a model in vectors with steps of one length: each state is a vector with one lane per variant.
 
-The laws of all variants are the same, and so are the edges of their road; how long a step may be hardly differs. A
+The laws of all variants are the same, and so are the edges of their road; allowed steps hardly differ. A
 block of variants therefore runs as one system, whose step is as short as the most demanding of them asks, and which
-stops at every event of any of them. Which variants share a block moves a result by less than the tolerance, since steps
-fall elsewhere; threads do not. A variant that cannot be followed so is left to run by itself.
+stops at every event of any of them. The choice of a block changes a result by less than the tolerance, since steps
+differ; threads change nothing. A variant that cannot be followed this way runs alone.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ from jounce.variants.threads import processors, share
 
 LEAST, LEAST_WITH_LOOPS = 16, 256
 """Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
-_MOST_STATES = 40  # of a mechanism: what cars on four corners compute alike fills the vectors by itself
+_MOST_STATES = 40  # of a mechanism: cars on four corners fill the vectors with their own corners
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
 _ITERATIONS = 30
 _UNBALANCED = 1e-6  # m/s^2
 _SETTLED = 1e-11
 _PROJECTIONS = 3
-_KEPT = 5  # iterations for which slopes are kept: they change little about rest
-_MOVE = 1e-6  # m or rad, or that a second, by which slopes are taken
-_SPARE = 2.0  # by which the motions of a variant may be faster than those of the base
+_KEPT = 5  # iterations with the same slopes, which change little about rest
+_MOVE = 1e-6  # m, rad, m/s or rad/s: half step of central differences
+_SPARE = 2.0  # ratio by which motions of a variant may be faster than those of the base
 
 Take = Callable[[int, Array, Array], None]
-"""What is made of a block: its number, states and outputs, both (rows, lanes, samples)."""
+"""Consumer of a block: its number, states and outputs, both (rows, lanes, samples)."""
 
 
 def in_blocks(compiled: Compiled, parameters: Array, width: int = WIDTH) -> Array:
@@ -55,7 +55,7 @@ def in_blocks(compiled: Compiled, parameters: Array, width: int = WIDTH) -> Arra
 
 @dataclass(frozen=True)
 class Rest:
-    """Where variants rest: states and modes (blocks, rows, lanes).
+    """Equilibria of variants: states and modes (blocks, rows, lanes).
 
     ``lost`` are those that do not rest, ``limit`` is what limits the steps of each (rad/s): (blocks, lanes).
     """
@@ -67,7 +67,7 @@ class Rest:
 
 
 def can_step(compiled: Compiled, count: int) -> bool:
-    """Whether so many variants of a model are for this, which must have nothing but coordinates and speeds."""
+    """Whether ``count`` variants of a model can be stepped; its states must be coordinates and speeds only."""
     facts = compiled.facts
     if facts.projects:
         worth = count >= LEAST_WITH_LOOPS and len(facts.states) <= _MOST_STATES
@@ -147,9 +147,9 @@ class Blocks:
         return np.array(blocks_of_results).reshape(len(x), rows, wide)
 
     def rest(self) -> Rest:
-        """Find where all variants rest, beginning with the base: Newton's method, modes following their switches.
+        """Find the equilibria of all variants, from that of the base: Newton's method, modes following their switches.
 
-        Only the motions that are free at the base are looked for; a mechanism is put on its loops after each step.
+        Only the free motions of the base are solved for; a mechanism is projected onto its loops after each step.
         Variants that do not rest, or move more than twice as fast as the base, are lost: the base stands in for them.
         """
         facts, at = self.compiled.facts, self.base.equilibrium
@@ -213,7 +213,7 @@ class Blocks:
         one = np.eye(at.lift.shape[1])
         usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(found).all(axis=(2, 3))
         by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
-        usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave nothing free to move
+        usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave no free motion
         by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
         slopes = np.linalg.solve(by.swapaxes(2, 3), found.swapaxes(2, 3)).swapaxes(2, 3)
         free = len(at.free)
@@ -221,7 +221,7 @@ class Blocks:
         return np.where(usable[..., None, None], slopes, np.roll(one, free, axis=0))
 
     def outputs_at_rest(self, rest: Rest, block: int) -> Array:
-        """The outputs wanted, (rows, lanes)."""
+        """The requested outputs, (rows, lanes)."""
         numbers, compiled, still = self.numbers[block], self.compiled, self.base.still
         x, modes = rest.x[block].T.copy(), rest.modes[block].T.copy()
         result = [
@@ -230,7 +230,7 @@ class Blocks:
         return np.array(result)[:, list(self.channels)].T
 
     def run(self, rest: Rest, take: Take, threads: int | None = None) -> NDArray[np.bool_]:
-        """Run all blocks and hand on what each gives; tell which reached their end."""
+        """Run all blocks and pass on their results; return which variants reached the end."""
         ran = np.zeros(len(self.numbers), dtype=bool)
         workers = min(threads or processors(), len(ran))
 

@@ -1,4 +1,4 @@
-"""Sweeps as files: which rig, over what, which numbers vary how, and what is kept of every run."""
+"""Sweeps as files: the rig, the trial, the distributions of parameters, and the results to keep."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ Layout = Literal["list", "grid", "latin-hypercube", "sobol", "monte-carlo", "mor
 
 
 class SweepDesign(Description):
-    """How variants are laid out: ``count`` points of a ``kind``, drawn with ``seed``.
+    """Design of the variants: ``count`` points of a ``kind``, drawn with ``seed``.
 
     A ``grid`` has every combination of the values, a ``list`` one of each a variant: both have no count. Of ``morris``
     the count is that of trajectories, of ``saltelli`` that of pairs of points.
@@ -58,7 +58,7 @@ class SweepDesign(Description):
 
 
 class SweepStudy(Description):
-    """A sweep: the ``rig`` (a file, or the name of a shipped one), over what, what varies, what is kept.
+    """A sweep: the ``rig`` (a file, or the name of a shipped one), its trial, varied parameters, and results to keep.
 
     ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` has the
     path of each number and what it is spread over, or its values; ``metrics`` are numbers of each run, ``outputs``
@@ -102,7 +102,7 @@ class ReadSweep:
 
 @dataclass(frozen=True)
 class SweepResult(Plain):
-    """What a sweep gave.
+    """Result of a sweep.
 
     Attributes
     ----------
@@ -111,13 +111,13 @@ class SweepResult(Plain):
     out : str
         Folder of the results.
     command : str
-        What began the sweep.
+        Command that started the sweep.
     seed : int or None
         From which its variants follow, where they are drawn.
     summary : Summary
         Statistics of every metric, what they depend on, and why variants have no run.
     data : xarray.Dataset
-        As :func:`load_sweep` gives it.
+        As returned by :func:`load_sweep`.
     """
 
     left_out = ("data",)
@@ -176,9 +176,9 @@ def run_sweep(
     client : dask.distributed.Client, optional
         A cluster that does the work.
     say : callable
-        Is told how many variants are done, and of how many.
+        Receives the number of finished variants, and of all.
     command : str
-        What was typed, to be kept with the results.
+        Command line, stored with the results.
 
     Returns
     -------
@@ -229,7 +229,7 @@ def run_sweep(
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
     """Run the rig unchanged, and the variants with the least and the greatest first metric; by what they are.
 
-    Empty where nothing is a metric, or none of them runs.
+    Empty without a metric, or if none of them runs.
     """
     from jounce.simulation import simulate
 
@@ -308,7 +308,7 @@ def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, .
 
 
 def _metres(table: dict[str, Any]) -> float | None:
-    """How far is driven, where both numbers are right: what is wrong with them is said with the trial."""
+    """Driven distance; None for invalid numbers, which the trial itself refuses."""
     from jounce.core.units import positive_si
 
     try:

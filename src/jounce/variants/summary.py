@@ -1,4 +1,4 @@
-"""What many runs amount to: statistics of every metric, bands over time, and why variants have no run."""
+"""Summary of many runs: statistics of every metric, bands over time, and reasons of missing runs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _PERCENTILES = (5.0, 50.0, 95.0)
 _MOST_REASONS = 20
-_LITTLE = 0.7  # of the variance, below which straight lines are said to explain little
+_LITTLE = 0.7  # share of the variance below which a finding says that the linear regression explains little
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class MetricSummary(Plain):
 
 @dataclass(frozen=True)
 class Influence(Plain):
-    """What one number is to one metric.
+    """Sensitivity of one metric to one parameter.
 
     Attributes
     ----------
@@ -83,11 +83,11 @@ class Summary(Plain):
     metrics : tuple of MetricSummary
         Statistics of every metric.
     influences : tuple of Influence
-        What each metric depends on; empty where too few ran to tell.
+        Sensitivities of each metric; empty if too few variants ran.
     failed : dict
-        Reason why variants have no run to how many these are, and the first of them.
+        Number of variants without a run by reason, and the first of them.
     findings : tuple of Finding
-        What the reader must know.
+        Warnings about the results.
     """
 
     count: int
@@ -191,9 +191,9 @@ def _measured(at: xr.Dataset, name: str) -> dict[str, Any]:
 
 
 def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES) -> xr.DataArray:
-    """Return percentiles of a channel over the variants at every time: how far apart runs lie.
+    """Return percentiles of a channel over the variants at every time: the spread of runs.
 
-    A band between two of them is where that share of the variants lies at each time; no single run need follow it.
+    The band between two of them contains that share of the variants at each time; no single run need follow it.
 
     Parameters
     ----------

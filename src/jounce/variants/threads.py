@@ -17,14 +17,14 @@ from typing import TypeVar
 
 Item = TypeVar("Item")
 _Job = Callable[[], None]
-_WAITS = 0.5  # s, for more to do
-_free: list[SimpleQueue[_Job]] = []  # of each thread that has nothing to do, where it takes what comes
+_WAITS = 0.5  # s that an idle thread waits for more work
+_free: list[SimpleQueue[_Job]] = []  # job queue of each idle thread
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_free.clear)  # threads stay behind
+    os.register_at_fork(after_in_child=_free.clear)  # a fork has no other threads
 
 
 def processors() -> int:
-    """How many processors this process may use: those of the machine, or fewer where it is bound to some.
+    """Number of processors that this process may use: those of the machine, or fewer if it is bound to some.
 
     A container that may use as much time as some processors have counts as these.
 
@@ -37,7 +37,7 @@ def processors() -> int:
 
 @cache
 def time_share(groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/self/cgroup")) -> float:
-    """How many processors' time the control groups of this process may use; infinite where nothing limits it.
+    """Processor time per time that the control groups of this process allow; infinite without a limit.
 
     That of version 2: ``cpu.max`` has the time and the period in which it may be used, for the group and those above.
     """
@@ -60,10 +60,10 @@ def share(
     workers: int,
     meanwhile: Callable[[], object] | None = None,
 ) -> None:
-    """Have threads, this one among them, take items from one iterator until there are none left.
+    """Let threads, including this one, take items from one iterator until it is exhausted.
 
     ``take`` is called once in each of them. Where one fails, it leaves nothing to the others, and its error is raised
-    when all are done. What is to be done ``meanwhile`` this thread does while the others wake up.
+    when all are done. This thread does ``meanwhile`` while the others wake up.
 
     >>> found = []
     >>> share(range(4), lambda some: found.extend(i * i for i in some), 2)
@@ -83,7 +83,7 @@ def share(
         done.put(error)
 
     others = 0
-    with contextlib.suppress(RuntimeError):  # the system gives no more threads: those that there are do it all
+    with contextlib.suppress(RuntimeError):  # no more threads available: the existing ones do the work
         while others < workers - 1:
             _hand_over(work)
             others += 1
@@ -93,7 +93,7 @@ def share(
         work()
         errors = [done.get() for _ in range(others + 1)]
     finally:
-        list(left)  # whoever is interrupted while waiting leaves nothing to the others, either
+        list(left)  # an interrupt while waiting also leaves nothing to the others
     for error in errors:
         if error is not None:
             raise error
@@ -116,7 +116,7 @@ def _live(jobs: SimpleQueue[_Job]) -> None:
         except Empty:
             try:
                 _free.remove(jobs)
-            except ValueError:  # somebody has just taken it from there: the job is on its way
+            except ValueError:  # another thread has just taken it: the job is on its way
                 continue
             return
         job()

@@ -31,9 +31,9 @@ from jounce.variants.many import Work
 
 Results = Generator[tuple[int, bytes], None, None]
 _LOG = logging.getLogger("jounce")
-_WAITING = 2  # tasks each worker has before it: enough never to stand idle, few enough for memory
+_WAITING = 2  # tasks queued for each worker: it is never idle, and memory stays small
 _PATIENCE, _JOINING = 10.0, 30.0  # s: for a scheduler to answer, for a first worker to join
-_MOST_ENDS = 3  # how often workers may be ended from outside before anything more is done
+_MOST_ENDS = 3  # times that workers may be killed before a result arrives
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,7 @@ def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
             for future in done:
                 yield future.result()
     finally:
-        if not is_done:  # nobody waits for what would be thrown away
+        if not is_done:  # do not wait for results that would be discarded
             for process in set(multiprocessing.active_children()) - others:
                 process.terminate()
         with suppress(RuntimeError):  # of a pool whose own thread could not be started
@@ -136,12 +136,12 @@ def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
 
 
 def _begin() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process decides when to stop
     threading.Thread(target=_end_with_the_first, name="jounce watches", daemon=True).start()
 
 
 def _end_with_the_first() -> None:
-    """Nobody would take the work of a process whose first one was killed, and nobody would end it."""
+    """End with the first process: if that was killed, nobody takes the results."""
     first = multiprocessing.parent_process()
     if first is not None:
         multiprocessing.connection.wait([first.sentinel])
@@ -163,7 +163,7 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
 
 
 def _packed(work: Work) -> bytes:
-    """What all tasks work on; whether FMUs may run in the worker's own process is what the user said here."""
+    """Input of all tasks, and the user's choice whether FMUs may run in the worker's own process."""
     return pickle.dumps((trust_said(), work))
 
 
@@ -177,7 +177,7 @@ def _unpacked(packed: bytes) -> tuple[bool | None, Work]:
 def cluster_at(address: str) -> Iterator[Any]:
     """Return a client of the Dask scheduler at an address; refuse one that is not there, or of other versions."""
     distributed = require("distributed", "cluster")
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is said once, by us
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # jounce reports errors once
     hint = "Start one with: dask scheduler, and on each machine: dask worker ADDRESS --nworkers auto --nthreads 1"
     try:
         client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
@@ -225,7 +225,7 @@ def _not_there(error: ModuleNotFoundError) -> JounceError:
 
 
 def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
-    """Return number and content of shards as the workers of a Dask cluster finish them; who vanishes is replaced."""
+    """Return number and content of shards as the workers of a Dask cluster finish them; lost workers are replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)
     packed, pending = _packed(work), iter(tasks)

@@ -31,12 +31,12 @@ _TEXTS = [{"id": "vlen-utf8"}]
 
 
 def checksum(content: bytes) -> str:
-    """What damage of a file is found by."""
+    """Checksum for detecting damage of a file."""
     return hashlib.sha256(content).hexdigest()[:32]
 
 
 def put(folder: Path, number: int, shard: xr.Dataset, count: int, size: int) -> bytes:
-    """Write the chunks of a shard, and what the group is with the first; return the record that makes them count.
+    """Write the chunks of a shard, with the first also the group's metadata; return the record that validates them.
 
     ``count`` is that of all variants, ``size`` that of a shard.
     """
@@ -86,8 +86,8 @@ def is_whole(folder: Path, record: bytes) -> bool:
 def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
     """Write the group's own attributes, and all metadata in the one file that is read first."""
     known = _read(folder / _ATTRIBUTES) if (folder / _ATTRIBUTES).is_file() else {}
-    told = {**to_plain(dict(attributes)), **{key: text for key, text in known.items() if key == "coordinates"}}
-    write_atomically(folder / _ATTRIBUTES, to_json(told), force=True)
+    metadata = {**to_plain(dict(attributes)), **{key: text for key, text in known.items() if key == "coordinates"}}
+    write_atomically(folder / _ATTRIBUTES, to_json(metadata), force=True)
     files = [
         folder / _GROUP,
         folder / _ATTRIBUTES,
@@ -99,7 +99,7 @@ def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
 
 
 def clear(folder: Path) -> None:
-    """Remove the group of an earlier sweep, and nothing else."""
+    """Remove only the group of an earlier sweep."""
     for file in folder.glob(f"*/{_ARRAY}"):
         shutil.rmtree(file.parent)
     for name in (_ALL, _GROUP, _ATTRIBUTES):
