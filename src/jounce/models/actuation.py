@@ -67,7 +67,7 @@ def replaced(
 
 
 def replaced_tyre(system: System, actuator: AnyActuator | None, rate: ca.SX) -> Callable[[ca.SX, ca.SX], ca.SX] | None:
-    """What :func:`replaced` makes of a tyre's own force, as ``tyre_force`` wants it; None where the tyre stays."""
+    """:func:`replaced` for a tyre, in the form of ``tyre_force``; None if the tyre keeps its own force."""
     if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != "tyre":
         return None
     return lambda own, acting: replaced(system, actuator, "tyre", own, rate, acting)
@@ -81,7 +81,7 @@ _COMMANDS = {
 
 
 def _arrived(system: System, lags: bool, name: str, command: ca.SX) -> ca.SX:
-    """A command behind a first-order lag, or at once."""
+    """A command after a first-order lag, or without delay."""
     if not lags:
         return command
     state = system.internal_state(name)

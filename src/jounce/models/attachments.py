@@ -43,7 +43,7 @@ def add_rocker(linkage: Linkage) -> None:
 
 
 def add_strut_points(linkage: Linkage) -> None:
-    """Say which bodies the ends of spring and damper move with."""
+    """Register the bodies that the ends of spring and damper move with."""
     rig = linkage.rig
     carrier = linkage.carriers[rig.strut.on]
     for element in ("strut", "spring", "damper"):
@@ -93,7 +93,7 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
 
 
 def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
-    """Directions fixed to the car's body, as it stands."""
+    """Directions fixed to the car's body, in its current attitude."""
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
 
 
@@ -176,18 +176,20 @@ def bar_angle(linkage: Described) -> Reached:
     """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
 
     def turn(whole: Described, end: ca.SX) -> ca.SX:
-        pivot, arm, far = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
-        return Swing.of(bar_axis(whole), arm - pivot, far - pivot, end - pivot).angle
+        pivot, arm, link_ends = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+        return Swing.of(bar_axis(whole), arm - pivot, link_ends - pivot, end - pivot).angle
 
     return Reached("anti_roll_bar.angle", bar_on(linkage), "arb_link_end", turn)
 
 
 def t_bar_of(left: Suspension, right: Suspension) -> TBar:
-    """T-bar between two suspensions that hang in the same axes."""
+    """T-bar between two suspensions in the same axes."""
     pivot = left.hardpoint("arb_pivot")
-    arms, far = ([one.hardpoint(f"arb_{name}") - pivot for one in (left, right)] for name in ("arm_end", "link_end"))
-    ends = [link_end(one).value - pivot for one in (left, right)]
-    return t_bar(left.hardpoint("arb_axis") - pivot, arms, far, ends)
+    sides = (left, right)
+    arms = [side.hardpoint("arb_arm_end") - pivot for side in sides]
+    link_ends = [side.hardpoint("arb_link_end") - pivot for side in sides]
+    ends = [link_end(side).value - pivot for side in (left, right)]
+    return t_bar(left.hardpoint("arb_axis") - pivot, arms, link_ends, ends)
 
 
 def bar_stiffness(linkage: Described) -> ca.SX:
@@ -206,7 +208,8 @@ def bar_stiffness(linkage: Described) -> ca.SX:
         axis = unit(linkage.hardpoint("arb_axis") - linkage.hardpoint("arb_pivot"))
     out = arm - ca.dot(axis, arm) * axis
     flat, edge = width * thickness**3 / 12.0, thickness * width**3 / 12.0
-    bent = ca.cos(angle) ** 2 / flat + ca.sin(angle) ** 2 / edge  # 1/m^4: each part of the force bends its own way
+    # 1/m^4: each component of the force bends about its own axis
+    bent = ca.cos(angle) ** 2 / flat + ca.sin(angle) ** 2 / edge
     blade = ca.sqrt(ca.dot(out, out)) / (3.0 * modulus) * bent  # rad/(N m) of one arm
     return 1.0 / (1.0 / stiffness + (0.5 if bar.kind == "t" else 2.0) * blade)
 
@@ -241,7 +244,7 @@ def undeformed_radius(linkage: Described) -> ca.SX:
 
 @dataclass(frozen=True)
 class Pressed:
-    """A tyre on its road: deflection (m), contact force (N, normal to the road), and the upright's point that feels it.
+    """A tyre on its road: deflection (m), contact force (N, normal to the road), and its point on the upright.
 
     The point moves as one of the upright does, in the axes that the suspension hangs in; road and point approach each
     other at the rate ``closing`` (m/s).
@@ -260,7 +263,7 @@ def loaded_radius(linkage: Suspension, road: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX
 
 
 def contact_point(linkage: Suspension, road: ca.SX) -> tuple[Moving, ca.SX]:
-    """Where the wheel touches a road of that height (m), as the upright's point there moves; cosine of its lean."""
+    """Contact point on a road of that height (m), as a moving point of the upright; cosine of the inclination."""
     centre, orientation = linkage.wheel_centre, linkage.upright.frame.orientation
     reach, down, upright = loaded_radius(linkage, road)
     arm = reach * down
@@ -281,7 +284,7 @@ def lowest_point(linkage: Suspension, road: ca.SX) -> ca.SX:
 def add_tyre(
     linkage: Suspension, road: Track, actuator: AnyActuator | None = None, *, law: TyreLaw | None = None
 ) -> Pressed:
-    """Let the tyre carry the wheel, by the ``law`` of its description where none is given.
+    """Add the tyre's force on the wheel, by default with the ``law`` of its description.
 
     A vertical one pushes the wheel's centre up. A radial one is pressed in along the wheel's plane, by the distance h
     of road and centre over the cosine c of the lean: it stores V(R - h / c), and the road, without friction, pushes its

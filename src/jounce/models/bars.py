@@ -1,8 +1,8 @@
-"""Where anti-roll bars stand: an arm about an axis that a link holds, and a T-bar, held by the links of both wheels.
+"""Poses of anti-roll bars: an arm about an axis held by a link, and a T-bar held by the links of both wheels.
 
 A T-bar is a stem, hinged across the car, with a bar across its end. Its hinge and twist follow from the places where
 both links end on the suspensions. There is no closed formula: a fixed number of Newton's steps is written out, the
-first ones at places on the way from design. Rates are those of links that keep their lengths.
+first ones at places between design and the pose. Rates are those for constant link lengths.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class TBar:
 
     ``hinge`` (rad, about +y) and ``twist`` (rad, about the stem) are no numbers where the links do not reach. ``tips``
     are the ends of the bar (m), ``ways`` unit vectors along the links from there on, left and right; ``levers`` (2, 2)
-    say what a unit rate of hinge and twist (columns) makes of the distance of each link's far end (rows), m/rad.
+    are the rates of each link's length (rows) for unit rates of hinge and twist (columns), m/rad.
     """
 
     hinge: ca.SX
@@ -100,7 +100,7 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
 
 @cache
 def t_bar_function() -> ca.Function:
-    """The same in numbers: hinge, twist, tips, ways (3, 2) and levers, of the arguments as (3, 2)."""
+    """The T-bar as a function of numbers: hinge, twist, tips, ways (3, 2) and levers, of the arguments as (3, 2)."""
     stem = ca.SX.sym("stem", 3)
     pairs = [ca.SX.sym(name, 3, 2) for name in ("arms", "far", "ends")]
     found = t_bar(stem, *(ca.horzsplit(pair) for pair in pairs))

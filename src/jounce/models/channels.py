@@ -1,4 +1,4 @@
-"""What is to be seen of a model: channels that many models have, and all that can be asked of a 3-D corner."""
+"""Channels of models: those that many models have, and all optional ones of a 3-D corner."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jounce.mechanics import Mechanism, System
 from jounce.models.linkage import Linkage
 
 TURNS = {"pitch": "nose down", "roll": "right side down"}
-"""Angles of a body, and which way they count."""
+"""Angles of a body, and their signs."""
 
 
 def show_height(system: System, name: str, z: ca.SX, text: str, height: str = ", height") -> None:
@@ -28,7 +28,7 @@ def show_turn(system: System, turn: str, angle: ca.SX) -> None:
 def show_strut(
     system: System, deflection: ca.SX, velocity: ca.SX, force: ca.SX, what: str = "strut force", since: str = ""
 ) -> None:
-    """Let a strut be seen; ``what`` its force is, and from where (``since``) its deflection counts."""
+    """Add the channels of a strut; ``what`` describes its force, ``since`` the zero of its deflection."""
     system.output("strut.deflection", deflection, "m", f"strut deflection{since}, compression positive")
     system.output("strut.velocity", velocity, "m/s", "strut deflection rate, bump positive")
     system.output("strut.force", force, "N", f"{what}, compression positive")
@@ -69,9 +69,9 @@ def show_bushings(linkage: Linkage) -> None:
 
 
 def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX) -> None:
-    """Let energies be seen, J: kinetic, of weights, what each element has taken up and what the road has put in.
+    """Add energy channels, J: kinetic, of weights, stored or dissipated by each element, and supplied by the road.
 
-    ``elements`` holds force (N) and the rate (m/s) it works against.
+    ``elements`` has the force (N) and the rate (m/s) of each element.
     """
     mechanism = linkage.mechanism
     mechanism.watch_energy()

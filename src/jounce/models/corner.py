@@ -1,6 +1,6 @@
 """3-D corner on a road: a suspension template with strut and tyre, its body on a guide.
 
-Displacements of body and wheel centre count from the design position; compression is positive.
+Displacements of body and wheel centre are relative to the design position; compression is positive.
 """
 
 from __future__ import annotations
@@ -61,8 +61,8 @@ def suspension(
 ) -> Linkage:
     """Hang the bodies of a suspension into a mechanism; only the structure of the description matters.
 
-    ``guide`` ("fixed", "vertical", "vertical+spherical") says how the body is held, and ``rack`` is the travel of the
-    rack (m); both are the description's own where they are not given.
+    ``guide`` ("fixed", "vertical", "vertical+spherical") is the constraint of the body, and ``rack`` is the travel of
+    the rack (m); both are the description's own where they are not given.
     """
     return build_linkage(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
 
@@ -93,10 +93,10 @@ def build_linkage(
 
 
 def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
-    """Write the equations of a 3-D corner; the values in ``rig`` matter only through its structure.
+    """Write the equations of a 3-D corner; they depend only on the structure of ``rig``.
 
-    With ``detail`` the outputs hold all hardpoints, joint reactions and energies, too. An ``actuator`` sits in the line
-    of the damper.
+    With ``detail`` the outputs also include all hardpoints, joint reactions and energies. An ``actuator`` sits in the
+    line of the damper.
     """
     rig.require("bodies", "spring", "damper", "tyre", what="how it moves")
     mechanism = Mechanism()
@@ -121,7 +121,7 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
 
 
 def add_strut(linkage: Suspension, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add spring, stops and damper (or actuator); give force and deflection rate of each element."""
+    """Add spring, stops and damper (or actuator); return force and deflection rate of each element."""
     spring, damper = linkage.line("spring"), linkage.line("damper")
     sprung, damped = strut_forces(linkage, spring, damper, actuator)
     linkage.push(spring, sprung)
@@ -196,7 +196,7 @@ def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> Non
 
 
 def show_motions(linkage: Described, centre: ca.SX, heave: ca.SX | None = None) -> None:
-    """Let body, wheel and its angles be seen, and the guide's friction act; heights (m) count from design.
+    """Add channels of body, wheel and its angles, and the guide's friction; heights (m) are relative to design.
 
     ``heave`` is that of the body, by default the guide's.
     """

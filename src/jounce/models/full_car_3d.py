@@ -1,7 +1,7 @@
 """Full car on four 3-D corners: the body heaves, pitches and rolls, its suspensions are mechanisms.
 
 Driving loads act as they do on the car: inertia of every body, and forces at the contact patches that share it among
-the wheels by their loads. What keeps the body from sliding and yawing takes the small rest.
+the wheels by their loads. A constraint against sliding and yawing takes the small remainder.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 @dataclass(frozen=True)
 class _Wheel:
-    """A corner on the road, with its travel against the body in m; before its names and parameters stands ``scope``."""
+    """A corner on the road, with its travel against the body in m; ``scope`` prefixes its names and parameters."""
 
     scope: tuple[str, str]
     linkage: Suspension
@@ -65,10 +65,10 @@ def full_car_3d(
     actuator: AnyActuator | None = None,
     hang: Callable[..., Suspension] = build_linkage,
 ) -> Model:
-    """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure.
+    """Write the equations of a full car on 3-D corners; they depend only on the structure of ``vehicle``.
 
     With ``detail`` the outputs hold hardpoints and contact point of every corner, all joint reactions and the energy of
-    motion and of weights, too. ``hang`` hangs a corner into the axes of the body, with arguments as ``build_linkage``
+    motion and of weights, too. ``hang`` adds a corner in the axes of the body, with arguments as ``build_linkage``
     has them.
     """
     mechanism = Mechanism()
@@ -135,7 +135,7 @@ def _corner(
     actuator: AnyActuator | None,
     hang: Callable[..., Suspension],
 ) -> _Wheel:
-    """Hang one corner into the axes of the body and stand it on its road."""
+    """Add one corner in the axes of the body, on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     scope = f"{name}_{side}", f"{name}.corner"
     with mechanism.within(*scope):
@@ -200,17 +200,17 @@ def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
 
 
 def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
-    """Let a third spring and damper push the left and the right side apart."""
+    """Add a third spring and damper between the left and the right side."""
     third = pair[0].linkage.rig.third_spring
     if third is None:
         return
-    one, other = (wheel.linkage for wheel in pair)
-    ends = third_end(one), third_end(other)
+    left, right = (wheel.linkage for wheel in pair)
+    ends = third_end(left), third_end(right)
     reach = ends[1] - ends[0]
     length = ca.sqrt(ca.dot(reach.value, reach.value))
-    deflection = 2.0 * one.side * one.hardpoint("third_spring_end")[1] - length
-    force = third_law(one, length) + third_damper_law(one, deflection, mechanism.rate_of(deflection))
-    mechanism.push_apart(one.carrier_of(third.on), other.carrier_of(third.on), *ends, force)
+    deflection = 2.0 * left.side * left.hardpoint("third_spring_end")[1] - length
+    force = third_law(left, length) + third_damper_law(left, deflection, mechanism.rate_of(deflection))
+    mechanism.push_apart(left.carrier_of(third.on), right.carrier_of(third.on), *ends, force)
     show_third_spring(mechanism, deflection, force)
 
 
@@ -227,7 +227,7 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
 
 
 def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_Wheel]) -> None:
-    """Let the road hold the car against the inertia of driving (m/s^2), each wheel by its share of the load."""
+    """Apply the road's forces against the inertia of driving (m/s^2), at each wheel by its share of the load."""
     assert body.mass_properties is not None
     mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)
     loads = sum((wheel.tyre.force for wheel in wheels), ca.SX(0.0))

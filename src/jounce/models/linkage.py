@@ -1,4 +1,4 @@
-"""What all 3-D suspensions share: body on its guide, hardpoints as parameters, wheel, steering; templates add arms."""
+"""Common parts of all 3-D suspensions: body on its guide, hardpoint parameters, wheel, steering; templates add arms."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Described(ABC):
     rig: Corner  # only its structure matters, its numbers are parameters
     mechanism: System
     ahead: ca.SX | float = 0.0  # how far the whole corner is moved along x, m
-    turned: ca.SX | float = 1.0  # -1 for a suspension that stands on the other side than described
+    turned: ca.SX | float = 1.0  # -1 for a suspension on the opposite side of its description
 
     @abstractmethod
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
@@ -50,12 +50,12 @@ class Described(ABC):
         return self.place(f"hardpoints.{name}")
 
     def place(self, path: str) -> ca.SX:
-        """Design place of a point of the description, m: moved ahead, on the side where the suspension stands."""
+        """Design place of a point of the description, m: shifted forward, on the side of the suspension."""
         x, y, z = ca.vertsplit(self.triple(path))
         return ca.vertcat(x + self.ahead, self.turned * y, z)
 
     def end_of(self, element: str, end: str) -> ca.SX:
-        """Design place of the ``bottom`` or ``top`` of spring or damper; the strut's where it has none of its own."""
+        """Design place of the ``bottom`` or ``top`` of spring or damper; by default the strut's."""
         own = f"{element}_{end}"
         return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
 
@@ -81,9 +81,9 @@ class Described(ABC):
 
 @dataclass(frozen=True)
 class Reached:
-    """A quantity of the pose that one point of the suspension makes: a hardpoint of the body called ``on``.
+    """A quantity of the pose that depends on one point: a hardpoint of the body called ``on``.
 
-    ``formula`` gives it for the place of that point in the axes of the car's body, m, as in the design pose.
+    ``formula`` computes it from the place of that point in the axes of the car's body, m, as in the design pose.
     """
 
     name: str
@@ -143,7 +143,7 @@ class Suspension(Described):
 
     @abstractmethod
     def push(self, line: Stretch, force: ca.SX) -> None:
-        """Let a force (N) push the ends of an element apart."""
+        """Apply a force (N) that pushes the ends of an element apart."""
 
     def push_off(self, name: str, on: str, point: Moving, force: ca.SX) -> None:
         """Let a force (N, axes that the suspension hangs in) act on a point of a body, and back on the car's body."""
@@ -151,7 +151,7 @@ class Suspension(Described):
 
     @abstractmethod
     def carrier_of(self, name: str) -> Body:
-        """Body that descriptions call so, or what stands for it where loads act."""
+        """Body of that name in descriptions, or its substitute for loads."""
 
     @property
     @abstractmethod
@@ -161,7 +161,7 @@ class Suspension(Described):
     @property
     @abstractmethod
     def carrier(self) -> Carrier:
-        """What the suspension's axes belong to: the ground, or the body it hangs on."""
+        """Carrier of the suspension's axes: the ground, or the car's body."""
 
     @property
     def spin_axis(self) -> ca.SX:
@@ -183,7 +183,7 @@ class Suspension(Described):
 
 @dataclass
 class Linkage(Suspension):
-    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them."""
+    """A suspension under construction: the mechanism, its bodies by name, and their roles."""
 
     rig: Corner
     mechanism: Mechanism
@@ -215,7 +215,7 @@ class Linkage(Suspension):
         return Line(length, ca.dot(reach.value, reach.rate) / length, self.design_length(element), lower, upper)
 
     def push(self, line: Stretch, force: ca.SX) -> None:
-        """Let a force (N) push the ends of an element apart."""
+        """Apply a force (N) that pushes the ends of an element apart."""
         assert isinstance(line, Line)
         body = self.carriers[self.rig.strut.on]
         self.mechanism.push_apart(self.chassis, body, line.top, line.bottom, force)
@@ -243,7 +243,7 @@ class Linkage(Suspension):
         return sum((each.mass for each in bodies.values() if each is not None), ca.SX(0.0))
 
     def body(self, name: str, path: str | None = None) -> Body:
-        """Add the body that the description holds under ``bodies``."""
+        """Add a body of the description's ``bodies``."""
         path = path or f"bodies.{name}"
         xx, yy, zz, xy, xz, yz = (self.number(f"{path}.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
         xy, yz = self.turned * xy, self.turned * yz
@@ -253,7 +253,7 @@ class Linkage(Suspension):
         return body
 
     def carry(self, name: str, body: Body) -> None:
-        """Say which body carries the upright's parts, and hang a wheel of its own on it."""
+        """Set the body that carries the upright's parts, and add a separate wheel to it."""
         self.upright = self.owners["wheel_centre"] = body
         self.carriers["upright"] = self.carriers[name] = body
         if getattr(self.rig.bodies, "wheel", None) is not None:
@@ -269,7 +269,7 @@ class Linkage(Suspension):
         return arm
 
     def pivot(self, name: str, arm: Body, ends: tuple[str, str]) -> None:
-        """Hang an arm on the body between two hardpoints: by a hinge, or by a bushing at each of them that has one."""
+        """Connect an arm to the body at two hardpoints: by a hinge, or by a bushing at each that has one."""
         soft = [end for end in ends if self.has_bushing(end)]
         ideal = [self.hardpoint(end) for end in ends if end not in soft]
         if not soft:
@@ -330,7 +330,7 @@ class Linkage(Suspension):
 
     @property
     def carrier(self) -> Carrier:
-        """What the suspension's axes belong to: the ground, or the body it hangs on."""
+        """Carrier of the suspension's axes: the ground, or the car's body."""
         return self.chassis.carrier
 
 

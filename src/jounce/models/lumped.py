@@ -33,7 +33,7 @@ class Body:
 
 
 def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> Body:
-    """Add the body with its weight, the moments of driving, and what is to be seen of it."""
+    """Add the body with its weight, the moments of driving, and its channels."""
     z, pitch = system.coordinate("body.z"), system.coordinate("body.pitch", "rad")
     roll = system.coordinate("body.roll", "rad") if rolls else ca.SX(0.0)
     mass = system.parameter("body.mass")
@@ -98,7 +98,7 @@ def add_wheel(
     wheels: int = 1,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Hang one wheel, or ``wheels`` that move as one, under the body; return its height and the contact force of one.
+    """Add one wheel, or ``wheels`` that move as one, under the body; return its height and the contact force of one.
 
     To be called within the place of the wheel. ``height`` is that of the body above it (m); it stands on a road, or on
     a ``plate`` (height in m), which it pushes back. Forces that are shown are those of one wheel.
@@ -136,7 +136,7 @@ def half_car(vehicle: HalfCar, *, actuator: AnyActuator | None = None) -> Model:
 
 
 def _massless_axle(system: System, vehicle: HalfCar, height: ca.SX, actuator: AnyActuator | None) -> None:
-    """Two springs and dampers between road and body; ``compat`` says how the road comes in."""
+    """Two springs and dampers between road and body; ``compat`` selects how the road acts."""
     road = system.track("road.z")
     ground = -road.value if vehicle.compat == "simulink" else road.value
     deflection = ground - height
@@ -192,7 +192,7 @@ def full_car(vehicle: FullCar, *, actuator: AnyActuator | None = None) -> Model:
 def _axle(
     system: System, name: str, axle: FullAxle, body: Body, end: float, actuator: AnyActuator | None
 ) -> dict[str, _Wheel]:
-    """Two wheels of an axle ahead (``end`` 1) or behind (-1); the numbers are the axle's."""
+    """Two wheels of the front (``end`` 1) or rear axle (-1), with the axle's parameters."""
     gravity = system.parameter("gravity")
     wheels = {}
     for side, sign in _SIDES.items():

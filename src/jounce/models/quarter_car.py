@@ -30,10 +30,10 @@ def add_quarter_car(
     sprung: ca.SX | None = None,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Put a quarter car on a road; return the height of its wheel (m) and the contact force (N, compression positive).
+    """Add a quarter car on a road; return the height of its wheel (m) and the contact force (N, compression positive).
 
-    The height ``road`` (m) is a track, or something that moves by itself and feels the tyre's reaction. ``sprung`` is
-    the height (m) of a body that is there already; otherwise the sprung mass is added, too.
+    The height ``road`` (m) is a track, or a moving body with the tyre's reaction. ``sprung`` is
+    the height (m) of an existing body; by default the sprung mass is added.
     """
     own = () if sprung is not None else (("sprung", system.coordinate("sprung.z")),)
     masses = (*own, ("unsprung", system.coordinate("unsprung.z")))

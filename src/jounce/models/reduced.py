@@ -1,6 +1,6 @@
-"""A 3-D corner as one coordinate of its body: with its rack held, a suspension on ideal joints only travels.
+"""A 3-D corner as one coordinate of its body: with a fixed rack, a suspension on ideal joints only travels.
 
-What forces, masses and channels see of a pose then are functions of the wheel's travel alone. :func:`sampled_corner`
+Forces, masses and channels then depend on the wheel's travel alone. :func:`sampled_corner`
 gives them for driven poses, :func:`reduced_corner` is the corner with polynomials of travel in their place. The
 equations are exact for these functions: with the body's height z and the travel s, all that hangs on the body has the
 kinetic energy 1/2 M z'^2 + P(s) z' s' + 1/2 m(s) s'^2, and every force works along a length that is one of them.
@@ -53,7 +53,7 @@ class SampledCorner:
 
 @dataclass
 class Watched(Linkage):
-    """A linkage that keeps what is asked of its pose."""
+    """A linkage that records the requested quantities of its pose."""
 
     seen: dict[str, ca.SX] = field(default_factory=dict)
 
@@ -79,8 +79,12 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     along = driven.along(0)
     v = driven.statics.v
     matrix = sum((inertia.matrix(v) for inertia in mechanism.complete().collection.inertias), ca.SX(*v.shape))
-    one, up = along(v), driven.along(1)(v)
-    masses = {MASS: up.T @ matrix @ up, MOMENTUM: up.T @ matrix @ one, INERTIA: one.T @ matrix @ one}
+    travel_rate, height_rate = along(v), driven.along(1)(v)
+    masses = {
+        MASS: height_rate.T @ matrix @ height_rate,
+        MOMENTUM: height_rate.T @ matrix @ travel_rate,
+        INERTIA: travel_rate.T @ matrix @ travel_rate,
+    }
     body = linkage.number("sprung.mass")  # no part of what hangs on it
     quantities = {**{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()}, **linkage.seen}
     return sampled(mechanism, driven, quantities)
@@ -112,7 +116,7 @@ def sampled(mechanism: Quasistatic, driven: Driven, quantities: dict[str, ca.SX]
 
 
 def _see(linkage: Watched) -> None:
-    """Ask for all that the reduced corner asks for."""
+    """Request all quantities that the reduced corner needs."""
     linkage.line("spring")
     if linkage.damper_stands_apart:
         linkage.line("damper")
@@ -138,7 +142,7 @@ class _Tabulated(Described):
     degree: int
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has no pose
-        """Return the polynomial: even and odd powers apart, so that the processor works on two sums at once."""
+        """Return the polynomial: even and odd powers separately, so that two sums are computed in parallel."""
         given = [self.number(path) for path in of_travel(name, self.degree)]
         square = self.x * self.x
         even, odd = (ca.SX(0.0), ca.SX(0.0))
@@ -153,7 +157,7 @@ class _Tabulated(Described):
         self.mechanism.force(reached.value(self), force)
 
     def quantity(self, name: str) -> ca.SX:
-        """What is no formula of the pose alone."""
+        """A quantity that is not a formula of the pose alone."""
         return self.of_pose(name, lambda whole: whole.wheel_centre.value)
 
     def stretch(self, element: str) -> Stretch:
@@ -180,7 +184,7 @@ class Hanging:
         return jacobian.T @ ca.vertcat(*rows) @ jacobian
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Inertial force of steady travel, which bends the ways of all masses."""
+        """Inertial force at steady travel, from the curved paths of all masses."""
         travelling = self.rates[1]
         bent = ca.vertcat(self.momentum_rate * travelling, 0.5 * self.inertia_rate * travelling)
         return ca.jacobian(self.rates, v).T @ bent

@@ -1,4 +1,4 @@
-"""A full car whose corners are one coordinate each: its body moves as ever, with the racks held a wheel only travels.
+"""A full car whose corners are one coordinate each: its body moves freely; with fixed racks a wheel only travels.
 
 The car is built as :func:`jounce.models.full_car_3d.full_car_3d` builds it. In place of each linkage stand polynomials
 of the wheel's travel, in the axes of the body: lengths, places of the points that forces act at, direction of the
@@ -52,7 +52,7 @@ def sampled_suspension(rig: Corner) -> SampledCorner:
 
 
 class _Seen(Watched):
-    """A linkage that keeps the points and directions that are asked of its pose, too."""
+    """A linkage that also records requested points and directions."""
 
     def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:
         """Return a point or a direction by its formula."""
@@ -61,7 +61,7 @@ class _Seen(Watched):
         return result
 
     def see(self) -> None:
-        """Ask for all that a car asks for."""
+        """Request all quantities that a car needs."""
         for element in ("spring", "damper") if self.damper_stands_apart else ("spring",):
             self.line(element)
         add_torsion_bar(self)
@@ -141,7 +141,7 @@ class _Travelling(Suspension):
         self._half = self._own(HALF)
         self._x = (self.travel - self._own(MIDDLE)) / self._half
         self.upright = mechanism.body("upright")
-        # Nobody asks how it stands, only how it turns.
+        # Only its rotation is needed, not its orientation.
         spin = Orientation(ca.SX.eye(3), self._curves(TURNING).value * self.rate, ca.SX(3, 1))
         frame = Frame(self.hardpoint("wheel_centre"), self.wheel_centre, spin, self.carrier)
         mechanism.poses.frames[self.upright.name] = frame
@@ -180,7 +180,7 @@ class _Travelling(Suspension):
         return _Curve.of([self._curve(part) for part in _parts(name)])
 
     def _sum(self, coefficients: Sequence[ca.SX]) -> ca.SX:
-        """Even and odd powers apart, so that the processor works on two sums at once."""
+        """Sum even and odd powers separately, so that the processor computes two sums in parallel."""
         square, sums = self._x * self._x, [ca.SX(0.0), ca.SX(0.0)]
         for odd in (0, 1):
             for number in reversed(coefficients[odd::2]):
@@ -195,7 +195,7 @@ class _Travelling(Suspension):
 
     @property
     def mass(self) -> ca.SX:
-        """Mass of all its bodies, kg: none where the polynomials say nothing any more."""
+        """Mass of all its bodies, kg; zero beyond the range of the polynomials."""
         there = ca.fabs(self._x) <= self._own(REACH)
         return ca.if_else(there, self._own(of_travel(MASS, 0)[0]), ca.SX.nan())
 
@@ -215,7 +215,7 @@ class _Travelling(Suspension):
         return self._curve(name).value
 
     def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:  # noqa: ARG002
-        """Return what hangs on the attitude of the body, too, by its formula."""
+        """Return a quantity that also depends on the body's attitude, by its formula."""
         return formula(self)
 
     def line(self, element: str) -> Stretch:
@@ -224,7 +224,7 @@ class _Travelling(Suspension):
         return Stretch(length.value, length.slope * self.rate, self.design_length(element))
 
     def carrier_of(self, name: str) -> Body:  # noqa: ARG002 - points know their places by themselves
-        """What stands for all bodies of the suspension where loads act."""
+        """Substitute for all bodies of the suspension in loads."""
         return self.upright
 
     def press(self, reached: Reached, force: ca.SX) -> None:

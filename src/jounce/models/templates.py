@@ -1,6 +1,6 @@
 """Suspension templates: bodies, joints and rods of double wishbone, McPherson strut, five links and trailing arm.
 
-Each hangs its bodies on the car's body, closes its loops, and says which body carries the upright's parts.
+Each connects its bodies to the car's body, closes its loops, and sets the body that carries the upright's parts.
 """
 
 from __future__ import annotations

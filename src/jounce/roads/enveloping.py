@@ -1,4 +1,4 @@
-"""Roads as a tyre of finite size feels them: what a point follower would have to be given instead.
+"""Effective roads of a tyre of finite size: the equivalent height for a point follower.
 
 The moving average, and the roll of a circle or of an elliptical cam, as closed-form pieces.
 """
@@ -110,7 +110,7 @@ class Enveloped(RoadOf):
         return self  # the loop is that of the road inside, which has checked it
 
     def reach(self) -> float:
-        """Distance in m to which the road is felt ahead of the wheel centre and behind it."""
+        """Distance in m ahead of and behind the wheel centre at which the road has an effect."""
         if self.method == "moving-average":
             return 0.5 * _given(self.contact_length)
         cam = self._cam()
@@ -129,7 +129,7 @@ class Enveloped(RoadOf):
         return self.of.end() + self.reach()
 
     def effective_slope_at(self, x: ArrayLike) -> Array:
-        """Slope (1) of the road that the tyre feels at the distances ``x`` in m, any shape.
+        """Effective slope (1) of the road under the tyre at the distances ``x`` in m, any shape.
 
         Of two cams it is the difference of their heights over their distance, not the derivative of the effective
         height, which `slope_at` gives; of the other methods both are the same.
@@ -224,7 +224,7 @@ def _digest(road: Segments, *values: object) -> bytes:
 
 
 class _Remembered:
-    """The last few results, because a run asks for the same road several times."""
+    """Recent results, because a run uses the same road several times."""
 
     def __init__(self, most: int) -> None:
         self.most = most
@@ -243,14 +243,14 @@ _REMEMBERED = _Remembered(4)
 
 
 Numbers = NDArray[np.int64]
-_SHARES = (0.2928932188134524, 0.7071067811865476)  # where in a cubic that is looked at: no waves can hide from both
-SHORTEST = 1e-9  # m; borders nearer to each other are one
-_STEEPEST = 50.0  # slope at which a wheel meets a wall
+_SHARES = (0.2928932188134524, 0.7071067811865476)  # test points in a cubic: no wave vanishes at both
+SHORTEST = 1e-9  # m; closer borders coincide
+_STEEPEST = 50.0  # slope (89 degrees) that counts as a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
 """Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
-_SHARP = 0.02  # jump of the place of contact, over a, that makes an edge
+_SHARP = 0.02  # jump of the contact point, relative to a, that counts as an edge
 _BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
-_PAIRS = 1_000_000  # nodes times pieces that are worked on at once
+_PAIRS = 1_000_000  # nodes times pieces processed at once: 8 MB
 
 
 @dataclass(frozen=True)
@@ -429,7 +429,7 @@ class _Parts:
         return np.asarray(best), np.asarray(at[chosen])
 
     def _inside(self, part: Numbers, x: Array) -> Array:
-        """Where the cam touches inside a part: in one go on a line, by bisection on a curve."""
+        """Contact point inside a part: in closed form on a line, by bisection on a curve."""
         low, high = np.maximum(self.border[part], x - self.cam.a), np.minimum(self.border[part + 1], x + self.cam.a)
         ends = self.offset[:, part]
         touch = np.clip(x + ends[0], low, high)
@@ -543,7 +543,7 @@ def _crossing(begin: Array, end: Array) -> tuple[Array, Array]:
 
 
 def _borders(places: list[Array], low: float, high: float) -> Array:
-    """Ascending places (m) from ``low`` to ``high``, those nearer than a nanometre to each other once."""
+    """Ascending places (m) from ``low`` to ``high``, merged within a nanometre."""
     inner = np.concatenate(places)
     inner = np.unique(inner[(inner > low + SHORTEST) & (inner < high - SHORTEST)])
     kept = inner[np.diff(inner, prepend=-np.inf) > SHORTEST]
@@ -560,7 +560,7 @@ def _refined(borders: Array, longest: Array) -> Array:
 
 
 def _pieces(road: Segments, borders: Array, by: float) -> Numbers:
-    """Piece of the road that lies ``by`` metres ahead of each interval between borders."""
+    """Piece of the road ``by`` metres ahead of each interval between borders."""
     return road.piece_at(0.5 * (borders[:-1] + borders[1:]) + by)
 
 

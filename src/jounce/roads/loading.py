@@ -105,7 +105,7 @@ def read_roads(
     folder : Path or str
         Folder that relative ``file`` entries start from.
     path : tuple of str
-        Where the tables lie in the file.
+        Position of the tables in the file.
 
     Returns
     -------
@@ -131,7 +131,7 @@ def read_roads(
 
 
 def class_and_seed(text: str) -> tuple[str, int | None]:
-    """Class and seed (None where it is not said) of ``iso:CLASS`` or ``iso:CLASS:SEED``.
+    """Class and seed (None by default) of ``iso:CLASS`` or ``iso:CLASS:SEED``.
 
     Examples
     --------
@@ -190,13 +190,13 @@ class _Reader:
         return self.built[name]
 
     def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:
-        """Build the road of one table that lies at ``path``."""
+        """Build the road of the table at ``path``."""
         resolved = self._resolved(table, path, asked_by)
         kind: type[Road] = ROADS[resolved["kind"]]
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
     def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
-        """Return the table with its kind checked, ``of`` built where it is a name, ``file`` from the right folder."""
+        """Return the table with its kind checked, a named ``of`` built, and ``file`` relative to the right folder."""
         if not isinstance(table, dict):
             place = self._place(path)
             raise DescriptionError("not a road table", where=place, found=table, allowed='{kind = "...", ...}')

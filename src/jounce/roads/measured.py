@@ -37,7 +37,7 @@ Times = Annotated[tuple[Annotated[float, Unit("s")], ...], Listed]
 class Table(SampledRoad):
     """Heights at given points, with lines or a cubic spline between them.
 
-    The first height extends before the first point, the last one behind the last (`end` says where that is).
+    The first height extends before the first point, the last one after the last (at `end`).
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class Table(SampledRoad):
     interpolation : {"linear", "cubic"}
         Lines, or a not-a-knot cubic spline (at least 4 points).
     start : float
-        Distance in m at which x = 0 lies; negative when the run begins inside the table.
+        Distance in m of x = 0; negative if the run begins inside the table.
 
     Examples
     --------
@@ -77,7 +77,7 @@ class Table(SampledRoad):
         return point_profile(self.x, self.height, self.interpolation)
 
     def points(self) -> tuple[Array, Array]:
-        """Points as they are given: distance from ``start`` and height, both in m, each of shape (n,)."""
+        """Points as given: distance from ``start`` and height, both in m, each of shape (n,)."""
         if self.file is not None:
             return file_points(self.file, {"x": "m", "z": "m"}, FEWEST[self.interpolation])
         return np.asarray(self.x, dtype=float), np.asarray(self.height, dtype=float)
@@ -86,7 +86,7 @@ class Table(SampledRoad):
 class Crg(SampledRoad):
     """Measured course from an OpenCRG file, straight or curved, at one lateral offset.
 
-    What lies before and after the course is what the file's options say: usually its first and last height.
+    The file's options determine the road before and after the course: usually its first and last height.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Crg(SampledRoad):
     v: Length = 0.0
 
     def check(self) -> None:
-        """Read the file, so that whatever is wrong with it is reported at once."""
+        """Read the file, so that its errors are reported immediately."""
         if self.is_endless() and self.recurrence is not None:
             raise ValueError("the options of the file say that the course repeats; leave out recurrence")
 
@@ -118,7 +118,7 @@ class Crg(SampledRoad):
         Raises
         ------
         DescriptionError
-            If the file says that there is no road beyond its ends and the run goes there.
+            If the run leaves a file that declares no road beyond its ends.
         """
         if self._course().beyond == "nothing" and not self.start <= -behind <= distance - behind <= self.end():
             raise DescriptionError(
@@ -130,7 +130,7 @@ class Crg(SampledRoad):
         return super().segments(distance, behind)
 
     def end(self) -> float:
-        """Distance in m at which the last cross section lies on the first pass."""
+        """Distance in m of the last cross section on the first pass."""
         return self.start + float(self._course().s[-1])
 
     def points(self) -> tuple[Array, Array]:
@@ -197,7 +197,7 @@ _Key = tuple[str, tuple[tuple[str, str], ...], int, State]
 
 
 def _key(file: Path, columns: dict[str, str], fewest: int) -> _Key:
-    """What a file is remembered by: its columns, and when it was changed."""
+    """Cache key of a file: its columns, and its last change."""
     return str(file), tuple(columns.items()), fewest, state_of(existing_file(file, RecordingError))
 
 
@@ -237,7 +237,7 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
 
 
 def _check_jumps(x: Array, height: Array, where: str) -> None:
-    """Refuse heights that jump as padding does, e.g. -9999 where nothing was measured."""
+    """Refuse heights that jump like padding, e.g. -9999 for missing values."""
     jumps = np.abs(np.diff(height))
     wild = np.flatnonzero((jumps > _JUMP) & (jumps > _STEEP * np.diff(x)))
     if len(wild):
@@ -252,16 +252,16 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
 
 Beyond = Literal["keep", "nothing", "repeat", "reflect", "closed"]
 _HARMLESS = re.compile(r"^unknown (keyword|data channel)|white space byte|header values used$")
-HIGHEST = 1e4  # m; no road lies above
+HIGHEST = 1e4  # m; above any road
 _SMALLEST = 1e-28  # m; rounding leaves larger numbers, a wrong byte order smaller ones
-_SPIKE = 1.0  # m; no wheel rolls over a single point that stands out by more
+_SPIKE = 1.0  # m; a single point that stands out by more is an error
 _EDGE = 1e-9  # m; rounding of the lateral range
 _BEYOND: dict[int, Beyond] = {0: "nothing", 1: "keep", 2: "keep", 3: "repeat", 4: "reflect"}
 
 
 @dataclass(frozen=True)
 class Course:
-    """Heights along one lateral offset of an OpenCRG road, and what lies beyond its ends.
+    """Heights along one lateral offset of an OpenCRG road, and its continuation beyond the ends.
 
     Attributes
     ----------
@@ -270,7 +270,7 @@ class Course:
     profile : Profile
         Pieces of one pass; also those of a smoothing at the ends, and of the link that closes a track.
     beyond : {"keep", "nothing", "repeat", "reflect", "closed"}
-        What the file's options say of the road before and after: the level of the profile, no road at all, the same
+        Continuation by the file's options: the level of the profile, no road at all, the same
         road again, its mirror image, or the same track again.
     """
 
@@ -285,7 +285,7 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
 
     Heights are the sum of the reference line's elevation (its slope integrated), banking times offset and the grid,
     linear between the long sections (bilinear together with straight lines along u). Cross sections without any value
-    at the end of a binary file are padding and left out. Modifiers that the file holds are applied.
+    at the end of a binary file are padding and left out. Modifiers in the file are applied.
 
     Parameters
     ----------
@@ -293,7 +293,7 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
         File of format KRBI, KDBI (binary), LRFI or LDFI (text), or one that refers to such a file.
     lateral_offset : float
         Offset v in m from the reference line, left positive; inside the grid, or beyond it where the file's option
-        BORDER_MODE_V says what lies there.
+        BORDER_MODE_V defines the height there.
 
     Returns
     -------
@@ -385,7 +385,7 @@ def _is_misspelt(warning: str) -> bool:
 
 
 def _overlong_rows(file: str) -> list[str]:
-    """Text rows that hold more values than the header defines (pyopencrg ignores the rest)."""
+    """Text rows with more values than the header defines (pyopencrg ignores the rest)."""
     from pyopencrg.io import read_ipl
 
     header = read_ipl(file, meta_only=True)
@@ -424,12 +424,12 @@ def _height(road: Any, offset: float, file: str) -> Array:
 
 
 def _grid_height(road: Any, offset: float) -> Array:
-    """Grid heights at the offset, linear between the long sections beside it."""
+    """Grid heights at the offset, linear between the adjacent long sections."""
     v = np.asarray(road.v, dtype=float)
     right = int(np.clip(np.searchsorted(v, offset, side="right") - 1, 0, len(v) - 2))
     share = float(np.clip((offset - v[right]) / (v[right + 1] - v[right]), 0.0, 1.0))
     grid = np.asarray(road.z, dtype=float)
-    if share in (0.0, 1.0):  # a gap beside the section does not matter
+    if share in (0.0, 1.0):  # gaps in the other section have no effect
         return grid[:, right + int(share)].copy()
     return np.asarray((1.0 - share) * grid[:, right] + share * grid[:, right + 1])
 
@@ -516,12 +516,12 @@ def _levels(road: Any, one: Profile) -> tuple[float, float]:
     return before, after
 
 
-def _with_mirror(one: Profile) -> Profile:
+def _with_mirror(profile: Profile) -> Profile:
     """Add the mirror image of a profile of lines and polynomials behind it."""
-    span = np.diff(one.edges)[::-1]
-    c = one.coefficients[::-1]
+    span = np.diff(profile.edges)[::-1]
+    c = profile.coefficients[::-1]
     powers = span[:, None] ** np.arange(4)
-    shifted = np.stack(  # the same polynomial seen from its far end, backwards
+    shifted = np.stack(  # the same polynomial in reverse, from its far end
         [
             (c * powers).sum(axis=1),
             -(c[:, 1:] * powers[:, :3] * np.arange(1, 4)).sum(axis=1),
@@ -530,13 +530,13 @@ def _with_mirror(one: Profile) -> Profile:
         ],
         axis=1,
     )
-    edges = np.concatenate([one.edges, one.edges[-1] + np.cumsum(span)])
-    kind = np.concatenate([one.kind, one.kind[::-1]])
-    return Profile(edges, kind, np.concatenate([one.coefficients, shifted]), one.before, one.before)
+    edges = np.concatenate([profile.edges, profile.edges[-1] + np.cumsum(span)])
+    kind = np.concatenate([profile.kind, profile.kind[::-1]])
+    return Profile(edges, kind, np.concatenate([profile.coefficients, shifted]), profile.before, profile.before)
 
 
 def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
-    """Lengths in m of the straight lines behind the end and before the begin that close a track; None: it is open."""
+    """Lengths in m of the straight lines after the end and before the start that close a track; None if it is open."""
     from pyopencrg.evaluate import closure
 
     begin, end, length = closure(road)
@@ -561,11 +561,11 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
     return max(after, 0.0), max(before, 0.0)
 
 
-def _closed(one: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
-    """Add the link behind the course: level at its end, then level at its begin."""
+def _closed(profile: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
+    """Add the link after the course: level at the height of its end, then of its start."""
     lines = [(length, level) for length, level in zip(link, reversed(levels), strict=True) if length > _EDGE]
-    edges = np.concatenate([one.edges, one.edges[-1] + np.cumsum([length for length, _ in lines])])
-    kind = np.append(one.kind, np.zeros(len(lines), dtype=np.int64))
+    edges = np.concatenate([profile.edges, profile.edges[-1] + np.cumsum([length for length, _ in lines])])
+    kind = np.append(profile.kind, np.zeros(len(lines), dtype=np.int64))
     level = [[height, 0.0, 0.0, 0.0] for _, height in lines]
-    coefficients = np.concatenate([one.coefficients, np.reshape(level, (-1, 4))])
+    coefficients = np.concatenate([profile.coefficients, np.reshape(level, (-1, 4))])
     return Profile(edges, kind, coefficients, levels[0], levels[0])

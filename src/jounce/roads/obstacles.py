@@ -88,7 +88,7 @@ class Versine(Road):
 class Rectangle(Road):
     """Cleat: the height jumps up, stays, and jumps down.
 
-    Where it jumps up, the damper of a tyre gives the wheel a blow (N s): its coefficient times the height.
+    At the jump, the damper of a tyre gives the wheel an impulse (N s): its coefficient times the height.
 
     Attributes
     ----------
@@ -237,7 +237,7 @@ class CircularSegment(Road):
 class Step(Road):
     """The height jumps to h and stays.
 
-    Where it jumps up, the damper of a tyre gives the wheel a blow (N s): its coefficient times the height.
+    At the jump, the damper of a tyre gives the wheel an impulse (N s): its coefficient times the height.
 
     Attributes
     ----------
@@ -356,7 +356,7 @@ class Pothole(Road):
 class Train(RoadOf):
     """The obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
 
-    Steps and ramps climb: each stands on the level at which the one before ended. ``start`` and ``recurrence`` are
+    Steps and ramps climb: each starts at the level at which the previous one ended. ``start`` and ``recurrence`` are
     those of ``of`` unless the train has its own; the positions within the train do not depend on them.
 
     Attributes

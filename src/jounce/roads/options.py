@@ -1,4 +1,4 @@
-"""How people give a trial: a road with speed and duration, or an excitation, and loads on the vehicle."""
+"""Options of a trial: a road with speed and duration, or an excitation, and loads on the vehicle."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def chosen_trial(
 def _given(
     road: str | None, speed: float | None, duration: float | None, excitation: str | None, right_road: str | None
 ) -> dict[str, Any]:
-    """Check that the options belong together; give speed and duration."""
+    """Check that the options fit together; return speed and duration."""
     if (road is None) == (excitation is None):
         raise DescriptionError(
             "either a road or an excitation is needed" if road is None else "both a road and an excitation are given",

@@ -95,26 +95,26 @@ def hermite_pieces(x: Array, left: Array, right: Array, left_slope: Array, right
     return Profile(edges, np.zeros(len(span), dtype=np.int64), coefficients, float(left[0]), float(right[-1]))
 
 
-def repeated(one: Profile, count: int, pitch: float) -> Profile:
-    """Lay ``count`` profiles with ``pitch`` in m from start to start, each on the level the last one left."""
+def repeated(profile: Profile, count: int, pitch: float) -> Profile:
+    """Lay ``count`` profiles with ``pitch`` in m from start to start, each at the level where the last one ended."""
     if count == 1:
-        return one
-    rise = one.after - one.before
+        return profile
+    rise = profile.after - profile.before
     places = [(k * pitch, k * rise) for k in range(count)]
-    laid = laid_out(one, places, float(one.edges[0]), (count - 1) * pitch + float(one.edges[-1]))
-    return Profile(laid.edges, laid.kind, laid.coefficients, one.before, one.after + (count - 1) * rise)
+    laid = laid_out(profile, places, float(profile.edges[0]), (count - 1) * pitch + float(profile.edges[-1]))
+    return Profile(laid.edges, laid.kind, laid.coefficients, profile.before, profile.after + (count - 1) * rise)
 
 
-def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
+def laid_out(profile: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
     """Heights over [``low``, ``high``] (m or s) of the profile laid at ascending ``places``.
 
-    A place is where the profile's coordinate 0 lies, and how much it is raised in m. Level pieces fill the gaps; the
+    A place is the position of the profile's coordinate 0, and its rise in m. Level pieces fill the gaps; the
     level before the first place is the profile's own.
     """
     starts: list[Array] = []
     kinds: list[NDArray[np.int64]] = []
     coefficients: list[Array] = []
-    cursor, level = low, one.before
+    cursor, level = low, profile.before
 
     def fill(until: float) -> None:
         if until - cursor > _rounding(until) or (until == high and not starts):  # a course may be shorter than that
@@ -123,16 +123,18 @@ def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, hi
             coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))
 
     for position, lift in places:
-        begin, end = position + float(one.edges[0]), position + float(one.edges[-1])
+        begin, end = position + float(profile.edges[0]), position + float(profile.edges[-1])
         if begin > high - _rounding(high):
             break
         if end > low + _rounding(low):
             fill(begin)
-            starts.append(position + one.edges[:-1])
-            kinds.append(one.kind)
-            coefficients.append(one.coefficients + np.array([lift, 0.0, 0.0, 0.0]) if lift else one.coefficients)
+            starts.append(position + profile.edges[:-1])
+            kinds.append(profile.kind)
+            coefficients.append(
+                profile.coefficients + np.array([lift, 0.0, 0.0, 0.0]) if lift else profile.coefficients
+            )
             cursor = end
-        level = one.after + lift
+        level = profile.after + lift
     fill(high)
     parts = (
         (starts[0], kinds[0], coefficients[0])

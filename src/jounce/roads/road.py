@@ -1,4 +1,4 @@
-"""What every road answers: pieces, height, slope, where it ends, and how far it is known."""
+"""Interface of all roads: pieces, height, slope, end, and the known length."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength, as_number
 from jounce.roads.profile import SHORTEST, Profile, laid_out, passes
 
-LEVEL = 1e-6  # m; a belt loop whose ends differ by more is not closed
+LEVEL = 1e-6  # m; the ends of a closed belt loop agree within it
 
 
 class Road(Description, ABC):
     """Height against driven distance for one wheel: an obstacle on a level road.
 
-    Distance 0 is where the wheel stands at time 0. The height is z of the road in m, up positive, 0 at nominal road
+    The wheel is at distance 0 at time 0. The height is z of the road in m, up positive, 0 at nominal road
     level. The first height of the obstacle extends before it, the last one behind it.
 
     Attributes
     ----------
     kind : str
-        What it is, e.g. ``"half-sine"``.
+        Kind of the road, e.g. ``"half-sine"``.
     start : float
         Distance driven before the obstacle begins, in m.
     recurrence : float or None
@@ -65,7 +65,7 @@ class Road(Description, ABC):
         distance : float
             Driven distance in m, above 0.
         behind : float
-            How far the wheel follows behind the one at distance 0, m: it meets everything that much later.
+            Distance of the wheel behind the one at distance 0, m: it meets everything that much later.
 
         Returns
         -------
@@ -87,7 +87,7 @@ class Road(Description, ABC):
         distance, behind = as_number(distance, "m", where="distance"), as_number(behind, "m", where="behind")
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
-        if not distance > SHORTEST * abs(behind):  # the run would begin and end at the same number
+        if not distance > SHORTEST * abs(behind):  # otherwise start and end are the same float
             raise DescriptionError(
                 "the wheel is too far behind the front axle for its road to be laid out",
                 found=f"{behind:g} m",
@@ -123,7 +123,7 @@ class Road(Description, ABC):
     def end(self) -> float:
         """Distance in m at which the obstacle (of a train, the last one) ends on its first pass.
 
-        A bare step ends where it stands; a table or a measured course where its last height is.
+        A bare step ends at its position; a table or a measured course at its last height.
 
         Examples
         --------
@@ -140,7 +140,7 @@ class Road(Description, ABC):
     def known_length(self) -> float:
         """Distance in m up to which the road is known.
 
-        Obstacles stand on a level road and are known to infinity, and so is whatever repeats; a table, a measured
+        Obstacles on a level road are known to infinity, and so are repeating roads; a table, a measured
         course or a random road is known up to its last point.
 
         Examples
@@ -172,7 +172,7 @@ class Road(Description, ABC):
         distance : float
             Driven distance in m.
         behind : float
-            How far the first wheel that matters follows behind distance 0, m.
+            Distance of the first relevant wheel behind distance 0, m.
         where : str
             Place that the error names.
         continue_level : bool
@@ -212,7 +212,7 @@ class Road(Description, ABC):
 
 
 class SampledRoad(Road):
-    """A road given by points: known up to the last of them, or to infinity where it repeats."""
+    """A road given by points: known up to the last of them, or to infinity if it repeats."""
 
     @abstractmethod
     def points(self) -> tuple[Array, Array]:
@@ -250,7 +250,7 @@ class RoadOf(Road):
 
 
 ROADS = Road.kinds
-"""Every kind of road by the word that stands for it in a file."""
+"""Every kind of road by its name in files."""
 
 
 def _check_recurrence(one: Profile, recurrence: float) -> None:

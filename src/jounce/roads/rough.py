@@ -21,14 +21,14 @@ from jounce.roads.road import Road, SampledRoad
 
 RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
 CLASSES: tuple[RoadClass, ...] = ("A", "B", "C", "D", "E", "F", "G", "H")
-REFERENCE = 0.1  # 1/m: n0, where the degree of roughness is stated
+REFERENCE = 0.1  # 1/m: n0 of ISO 8608, at which the degree of roughness is stated
 BAND = (0.011, 2.83)  # 1/m: the range that ISO 8608 recommends
 MEAN_A = 16e-6  # m^3: geometric mean of class A; each class has four times that of the class before
 SpatialFrequency = Annotated[float, Unit("1/m", above=0.0)]
 Roughness = Annotated[float, Unit("m^3", above=0.0)]
 Waviness = Annotated[float, Unit("1", above=0.0, at_most=5.0)]
 GOLDEN = 0.6180339887498949  # (sqrt(5) - 1) / 2
-MOST_POINTS = 20_000_000
+MOST_POINTS = 20_000_000  # 160 MB
 _LINES = 10.0  # spectral lines at least up to twice the lowest frequency
 
 
@@ -38,7 +38,7 @@ def class_roughness(name: str, *, where: str = "") -> float:
     Parameters
     ----------
     name : str
-        "A" (very good) to "H"; small letters are taken, too.
+        "A" (very good) to "H"; lower case is accepted.
     where : str
         Place that an error names.
 
@@ -169,7 +169,7 @@ class Iso8608(SampledRoad):
     length : float
         Length in m; before and after it the road is level.
     step : float
-        Distance of the points in m, 5 cm; made a little smaller where the length is no multiple of it.
+        Spacing of the points in m, 5 cm; slightly smaller if the length is no multiple of it.
     seed : int
         Seed of the random phases: which of the roads of that class.
     waviness : float
@@ -221,7 +221,7 @@ class Iso8608(SampledRoad):
     interpolation: Literal["linear", "cubic"] = "linear"
 
     def check(self) -> None:
-        """Refuse a class and a roughness, fades that do not fit, and more points than a computer holds."""
+        """Refuse class and roughness together, fades that do not fit, and more points than memory holds."""
         _one_roughness(self.class_, self.roughness)
         low, high = self.band
         if high <= low:
@@ -304,7 +304,7 @@ def _track_offset(spread: Array, seed: int) -> Array:
 def _track_spread(
     spectrum: tuple[float, float, tuple[float, float]], length: float, step: float, coherence: tuple[float, str, float]
 ) -> Array:
-    """Standard deviation of that phase, the same for any seed."""
+    """Standard deviation of the phase difference, the same for any seed."""
     track, model, decay = coherence
     _, n, _ = _amplitudes(spectrum, length, step)
     gamma = np.sqrt(track_coherence(n, track, model=model, decay=decay, waviness=spectrum[1]))
@@ -332,7 +332,7 @@ def _sampled(
     x = np.linspace(0.0, length, count + 1)
     height = _over_length(waves, total, count)
     if interpolation == "linear":
-        return x, height * _fade(x, length, fade)[0] + 0.0, None  # where the fade is nothing, no "-0.0"
+        return x, height * _fade(x, length, fade)[0] + 0.0, None  # + 0.0 turns -0.0 at a zero fade into 0.0
     waves[lines] *= 2j * math.pi * n
     slope = _over_length(waves, total, count)
     share, share_slope = _fade(x, length, fade)
@@ -350,7 +350,7 @@ def _amplitudes(
     high = min(high, 0.5 * count / length)
     first, last = max(1, round(low / spacing)), min(round(high / spacing), (total - 1) // 2)
     n: Array = np.asarray(np.arange(first, last + 1) * spacing, dtype=float)
-    # each line has the power of its own bin; the first and the last one only what lies inside the band
+    # each line has the power of its bin, limited to the band for the first and the last one
     power = height_variance(
         roughness, np.clip(n - 0.5 * spacing, low, high), np.clip(n + 0.5 * spacing, low, high), waviness
     )
@@ -408,7 +408,7 @@ class SineSum(Road):
     step : float
         Distance of the points in m, 2 cm; cubics with the exact slopes join them.
     start : float
-        Distance in m at which x = 0 lies.
+        Distance in m of x = 0.
 
     Examples
     --------

@@ -42,7 +42,7 @@ Moment = Annotated[float, Unit("N*m")]
 
 
 class Load(Description):
-    """A load that sets in at ``start`` and stays, or follows straight lines through points.
+    """A load that starts at ``start`` and stays, or follows straight lines through points.
 
     A load that is on from the outset (``start`` 0, no ramp) is part of the equilibrium from which the run starts.
 
@@ -51,7 +51,7 @@ class Load(Description):
     value : float or None
         Its final value, in the unit of its kind (N m or m/s^2).
     start, ramp : float
-        When it sets in, and how long it takes to rise linearly, s; 0 for a step.
+        Start, and duration of a linear rise, s; 0 for a step.
     time, values : tuple of float
         Instead: points at strictly ascending times, s; constant before the first and after the last.
     """
@@ -126,7 +126,7 @@ FEWEST_SAMPLES = 4
 _TEXTS = (".csv", ".txt", ".tsv")
 _KEYS = set(RecordingFormat.model_fields)
 ExcitationDatum = Literal["undeformed", "rest"]
-"""Where the heights of an excitation count from."""
+"""Zero of the heights of an excitation."""
 
 
 class Excitation(RecordingFormat):
@@ -196,7 +196,7 @@ class Excitation(RecordingFormat):
         return self._recorded(self.file)[0]
 
     def findings(self) -> list[Finding]:
-        """What the reader of its file found, and a start so far from zero that zero is likely elsewhere."""
+        """Findings of the file's reader, and a start so far from zero that another zero is likely."""
         if self.file is None:
             return []
         result = [] if self._is_plain() else list(self._recorded(self.file)[1])
@@ -211,11 +211,11 @@ class Excitation(RecordingFormat):
         return result
 
     def _is_plain(self) -> bool:
-        """Whether its file is text of which nothing but the name is said."""
+        """Whether its file is text given by name only."""
         return self.file is not None and self.file.suffix.lower() in _TEXTS and not self._keys()
 
     def _keys(self) -> list[str]:
-        """What is said of how its file is read."""
+        """Options for reading its file."""
         return sorted(name for name in _KEYS if getattr(self, name) not in ({}, "", None))
 
     def _recorded(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
@@ -284,11 +284,11 @@ class Trial(Description):
     Attributes
     ----------
     road : Road or None
-        What is driven over; with ``speed`` and ``duration``.
+        Road; with ``speed`` and ``duration``.
     speed : float or None
         Constant speed in m/s, above 0.
     excitation : Excitation or None
-        Instead of road and speed; a path stands for ``{file = path}``.
+        Instead of road and speed; a path is short for ``{file = path}``.
     duration : float
         Length of the run in s, above 0. Only with an excitation it may be left out: up to its last sample.
     right : Road or None
@@ -367,7 +367,7 @@ class Trial(Description):
         Parameters
         ----------
         behind : float
-            How far the wheel follows behind the front axle, m: it meets the road later. An excitation moves all wheels
+            Distance of the wheel behind the front axle, m: it meets the road later. An excitation moves all wheels
             at once.
         side : int
             1 for the left road (the only one unless ``right`` is given), -1 for the right one.
@@ -422,13 +422,13 @@ _MOST_WHEELS = 16
 
 @remembered
 def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
-    """Heights under the wheels that were asked for so far; None where a file holds them, which may change."""
+    """Heights under the wheels requested so far; None if they come from a file, which may change."""
     return {} if is_lasting(trial) else None
 
 
 @runtime_checkable
 class HoldsTrial(Protocol):
-    """What holds a trial beside other facts: a trial for ride studies, a measured one, a candidate."""
+    """An object with a trial among other facts: a trial for ride studies, a measured one, a candidate."""
 
     @property
     def trial(self) -> Trial:
@@ -437,13 +437,13 @@ class HoldsTrial(Protocol):
 
 
 def as_trial(given: Trial | HoldsTrial) -> Trial:
-    """Return the trial itself, of what holds one."""
+    """Return the trial of an object that has one."""
     return given if isinstance(given, Trial) or not isinstance(given, HoldsTrial) else given.trial
 
 
 @remembered
 def is_lasting(trial: Trial) -> bool:
-    """Whether all of a trial is in its description, and nothing in files, which may change."""
+    """Whether a trial is complete in its description, without files, which may change."""
     return not _names_a_file(trial)
 
 
@@ -458,25 +458,25 @@ FASTEST = 15.0
 FEWEST_OUTPUTS = 4
 """Samples of the result while an obstacle passes; with fewer its peaks are missed."""
 _AS_FAR = 0.05
-"""By which share the tracks of a road may lie nearer to each other, or farther, than the wheels."""
+"""Share by which the tracks of a road may be narrower or wider than the wheels."""
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
 def _left_out_in_bends(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Say what a lumped car does not transfer."""
+    """Report loads that a lumped car does not transfer."""
     if trial.lateral_acceleration is not None and isinstance(rig, FullCar):
         yield finding("roads.side_forces_left_out", "trial: lateral_acceleration")
 
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
-    """Report what a reader of the run must know about its road and its loads.
+    """Report findings about the road and the loads of a run.
 
     Parameters
     ----------
     trial : Trial
-        What is driven.
+        Trial.
     rig : Rig, optional
-        Its axles are examined, too.
+        Its axles are examined as well.
     output_step : float, optional
         Distance of the result's samples, s.
 
@@ -514,7 +514,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
 
 
 def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Tracks of one road that are not as far apart as the wheels: how alike they are decides on roll."""
+    """Report tracks of a road with another distance than the wheels: their coherence determines roll."""
     wide = track_width(rig)
     for name, road in (("road", trial.road), ("right", trial.right)):
         if not wide or not isinstance(road, Iso8608) or road.side != "right":
@@ -575,7 +575,7 @@ def _loads(trial: Trial) -> Iterator[Finding]:
 
 
 def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Say what a damped tyre makes of a road that jumps up or rises upright; where it falls, it leaves the tyre."""
+    """Report the impulse of a damped tyre on a road that rises vertically; where it falls, the tyre lifts off."""
     numbers = {} if rig is None else rig.parameters()
     damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)
     sides = (1,) if trial.right is None else (1, -1)

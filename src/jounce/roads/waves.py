@@ -17,7 +17,7 @@ from jounce.roads.road import Road
 from jounce.roads.trial import Excitation
 
 Law = Literal["linear", "logarithmic"]
-PER_WAVE = 64  # points on one wave; cubics between them are within 3e-7 of the amplitude
+PER_WAVE = 64  # points on one wave: cubics between them err by 3e-7 of the amplitude
 MOST_WAVES = 20_000
 
 
