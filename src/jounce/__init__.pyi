@@ -16,6 +16,10 @@ from .campaign import CampaignResult as CampaignResult
 from .campaign import load_truth as load_truth
 from .campaign import new_campaign as new_campaign
 from .campaign import run_campaign as run_campaign
+from .campaign.bench_fits import fit_measured_damper as fit_measured_damper
+from .campaign.bench_fits import fit_measured_decays as fit_measured_decays
+from .campaign.bench_fits import fit_measured_stiffness as fit_measured_stiffness
+from .campaign.bench_fits import read_bench_files as read_bench_files
 from .campaign.posterior import campaign_next_trials as campaign_next_trials
 from .campaign.posterior import campaign_posterior as campaign_posterior
 from .campaign.speed_sweep import speed_sweep as speed_sweep
@@ -148,6 +152,7 @@ from .recordings import read_recording as read_recording
 from .recordings import to_pandas as to_pandas
 from .recordings import write_recording as write_recording
 from .recordings.carried import recording as recording
+from .recordings.options import RecordFile as RecordFile
 from .report.animation import animate as animate
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
+from keyword import iskeyword
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -80,7 +81,8 @@ def _parameter(parameter: Parameter) -> inspect.Parameter:
 
 
 def _python_name(parameter: Parameter) -> str:
-    return f"{parameter.option}_" if parameter.option in ("set",) else parameter.option
+    is_taken = iskeyword(parameter.option) or parameter.option == "set"
+    return f"{parameter.option}_" if is_taken else parameter.option
 
 
 def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import LENGTH, AsJson, Force, files, optional_positive
+from jounce.cli.options import LENGTH, AsJson, Force, optional_positive
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, table, tell
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.files import matching_files
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -41,7 +42,7 @@ def check(
     from jounce.operations.checks import check_file
     from jounce.parts import library as rigs
 
-    checked, every = [], files(given, "FILE")
+    checked, every = [], matching_files(given, "FILE")
     with progress() as say:
         for k, file in enumerate(every, 1):
             say(f"checking {k} of {len(every)}: {file}")

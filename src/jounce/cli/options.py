@@ -126,26 +126,6 @@ def reading(
     }
 
 
-def files(names: Sequence[str], option: str) -> list[Path]:
-    """Paths as given; patterns that no shell has expanded are expanded here."""
-    from jounce.core.errors import RecordingError
-
-    found: list[Path] = []
-    for name in names:
-        path = Path(name)
-        if path.exists() or not any(mark in name for mark in "*?["):
-            found.append(path)
-            continue
-        try:
-            matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
-        except ValueError:  # no pattern
-            matches = []
-        if not matches:
-            raise RecordingError("no file matches", where=option, found=name, hint="Check the folder and the pattern.")
-        found += matches
-    return found
-
-
 StrokeSign = Annotated[
     str | None,
     typer.Option(

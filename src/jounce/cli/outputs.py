@@ -91,6 +91,13 @@ def _changed_rig(answered: Answered, file: Path, force: bool) -> Missing:
     return ()
 
 
+def _rig_text(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.core.writing import write_atomically
+
+    write_atomically(file, answered.result.rig_text, force=force)
+    return ()
+
+
 def _recording(answered: Answered, file: Path, force: bool) -> Missing:
     from jounce.recordings import write_recording
 
@@ -168,6 +175,12 @@ OUTPUTS: Mapping[str, Output] = {
         _out("Write the changed rig, with its comments: RIG.toml."),
         lambda file, force: check_outputs(rig=file, force=force),
         _changed_rig,
+    ),
+    "rig_text": Output(
+        "out",
+        _out("Write the rig with what was measured, RIG.toml."),
+        lambda file, force: check_outputs(rig=file, force=force),
+        _rig_text,
     ),
     "recording": Output(
         "out",

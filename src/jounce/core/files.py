@@ -5,13 +5,13 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from importlib import resources
 from pathlib import Path
 
-from jounce.core.errors import DescriptionError, DiskError, JounceError, is_of_system, nearest
+from jounce.core.errors import DescriptionError, DiskError, JounceError, RecordingError, is_of_system, nearest
 
 
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
@@ -158,3 +158,21 @@ def chosen_file(
             hint=nearest(str(name), shipped),
         )
     return shipped[str(name)]
+
+
+def matching_files(names: Sequence[str], where: str) -> list[Path]:
+    """Give paths as they are, and the files that match patterns which no shell has expanded."""
+    matching: list[Path] = []
+    for name in names:
+        path = Path(name)
+        if path.exists() or not any(mark in name for mark in "*?["):
+            matching.append(path)
+            continue
+        try:
+            matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
+        except ValueError:  # no pattern
+            matches = []
+        if not matches:
+            raise RecordingError("no file matches", where=where, found=name, hint="Check the folder and the pattern.")
+        matching += matches
+    return matching

@@ -157,13 +157,10 @@ def fields_of(result: Any, *names: str) -> list[ResultField]:
 
     Examples
     --------
-    >>> import jounce as jn
-    >>> from jounce.identify.estimate import Estimate
-    >>> @dataclass
-    ... class Fit:
-    ...     rate: Annotated[Estimate, Shows("spring rate", "N/m")]
-    >>> [(one.label, one.cells()) for one in fields_of(Fit(Estimate(22731.4, 12.3, (22705.0, 22757.0))))]
-    [('spring rate', ('22.731', '0.012', '22.705 to 22.757', 'N/mm'))]
+    >>> from jounce.identify.update import UpdatedParameter
+    >>> rate = UpdatedParameter(20e3, 22e3, 10.0, (21.5e3, 22.5e3), 15e3, 25e3, False, "N/m")
+    >>> [(field.label, field.in_words()) for field in fields_of(rate, "initial", "at_bound")]
+    [('start', '20.000 N/mm'), ('at bound', 'no')]
     """
     marks = marks_of(type(result))
     return [field for name in names or marks for field in _fields(name, marks[name], result)]

@@ -24,6 +24,7 @@ MODULES = (
     "jounce.bench.drive",
     "jounce.bench.similitude",
     "jounce.bench.springs",
+    "jounce.campaign.bench_fits",
     "jounce.design.adjustment",
     "jounce.design.pareto",
     "jounce.design.springs",

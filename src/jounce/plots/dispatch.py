@@ -92,6 +92,7 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
+    from jounce.campaign.bench_fits import MeasuredDamper, MeasuredDecays, MeasuredStiffness
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
     from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
@@ -168,6 +169,13 @@ def _registered() -> Callable[..., Figure]:
     draw.register(PressureStiffness, fits.tyre_pressure)
     draw.register(DecayResult, fits.decay_fit)
     draw.register(DamperCurve, of_damper)
+    draw.register(MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options))
+    draw.register(
+        MeasuredDecays, lambda result, **options: fits.decay_fit(*next(iter(result.decays.values())), **options)
+    )
+    draw.register(
+        MeasuredStiffness, lambda result, **options: fits.stiffness_fit(result.fit, result.measured.trials, **options)
+    )
     draw.register(UpdateResult, fits.update)
     draw.register(StrategyResult, lambda result, **options: fits.update(result.update, **options))
     draw.register(TrialResult, campaign.measured_against_simulated)

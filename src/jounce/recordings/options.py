@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
-from jounce.core.operation import Columns, File, MadeBy, Mark, Number
+from jounce.core.files import matching_files
+from jounce.core.operation import Columns, File, MadeBy, Mark, Number, Texts
 from jounce.recordings.files import read_recording
 
 if TYPE_CHECKING:
@@ -61,3 +65,90 @@ def recording_in_python(record: str, **options: Any) -> str:
     "jn.read_recording('lap.csv', sample_time=0.01)"
     """
     return f"jn.read_recording({', '.join([repr(record), *(f'{key}={item!r}' for key, item in options.items())])})"
+
+
+@dataclass(frozen=True)
+class RecordFile:
+    """A recording with the file that it is from.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+    data : xarray.Dataset
+        Its channels over time, SI.
+    findings : sequence of Finding
+        What reading found.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.RecordFile("run.csv", jn.recording([0.0, 0.1], {"sprung.z": ([0.0, 1e-3], "m", "")})).path
+    'run.csv'
+    """
+
+    path: str | Path
+    data: xr.Dataset
+    findings: Sequence[Finding] = ()
+
+
+AnyRecordFile: TypeAlias = Annotated[
+    "RecordFile | str | Path",
+    MadeBy("jounce.recordings.options:chosen_file", "jounce.recordings.options:file_in_python"),
+]
+"""A measured file; faces ask for it and for what is needed to read it."""
+AnyRecordFiles: TypeAlias = Annotated[
+    "Sequence[RecordFile | str | Path]",
+    MadeBy("jounce.recordings.options:chosen_files", "jounce.recordings.options:files_in_python"),
+]
+"""Several measured files, read alike."""
+
+
+def as_record_file(record: RecordFile | str | Path) -> RecordFile:
+    """Read a file that is given by its path."""
+    return record if isinstance(record, RecordFile) else RecordFile(Path(record), *read_recording(record))
+
+
+def chosen_file(
+    record: Annotated[str, File("Record with columns time, displacement, force and optionally velocity.", "FILE")],
+    columns: Annotated[Any, COLUMNS] = None,
+    variable: Annotated[str, VARIABLE] = "",
+    sample_time: Annotated[float | None, SAMPLE_TIME] = None,
+    resample: Annotated[float | None, RESAMPLE] = None,
+    database: Annotated[str | None, DATABASE] = None,
+) -> RecordFile:
+    """Read a recording, and keep the name of its file."""
+    return RecordFile(Path(record), *chosen_recording(record, columns, variable, sample_time, resample, database))
+
+
+def chosen_files(
+    measured: Annotated[list[str], Texts("Recording of a free decay; several are combined.", "FILE...")],
+    columns: Annotated[Any, COLUMNS] = None,
+    variable: Annotated[str, VARIABLE] = "",
+    sample_time: Annotated[float | None, SAMPLE_TIME] = None,
+    resample: Annotated[float | None, RESAMPLE] = None,
+    database: Annotated[str | None, DATABASE] = None,
+) -> list[RecordFile]:
+    """Read several recordings, patterns of names included."""
+    return [
+        chosen_file(str(path), columns, variable, sample_time, resample, database)
+        for path in matching_files(measured, "FILE")
+    ]
+
+
+def file_in_python(record: str, **options: Any) -> str:
+    """Write the file as Python.
+
+    >>> file_in_python("damper.csv"), file_in_python("damper.csv", sample_time=0.01)
+    ("'damper.csv'", "jn.RecordFile('damper.csv', *jn.read_recording('damper.csv', sample_time=0.01))")
+    """
+    return f"jn.RecordFile({record!r}, *{recording_in_python(record, **options)})" if options else repr(record)
+
+
+def files_in_python(measured: Sequence[str], **options: Any) -> str:
+    """Write the files as Python.
+
+    >>> files_in_python(["a.csv", "b.csv"])
+    "['a.csv', 'b.csv']"
+    """
+    return f"[{', '.join(file_in_python(record, **options) for record in measured)}]"

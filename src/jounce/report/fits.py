@@ -25,8 +25,9 @@ from jounce.report.page import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
+    from jounce.campaign.bench_fits import MeasuredDamper, MeasuredDecays, MeasuredStiffness
     from jounce.core.findings import Finding
     from jounce.core.types import Array
     from jounce.design.measured_poses import HardpointFit
@@ -34,6 +35,21 @@ if TYPE_CHECKING:
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult
+
+
+def measured_stiffness_page(found: MeasuredStiffness, *, title: str) -> Page:
+    """Put a stiffness with its trials on a page."""
+    return stiffness_page(found.fit, found.measured.trials, found.findings, title=title)
+
+
+def measured_decays_page(found: MeasuredDecays, *, title: str) -> Page:
+    """Put the damping of free decays on a page."""
+    return decay_page(found.fit, found.decays, found.findings, title=title)
+
+
+def measured_damper_page(found: MeasuredDamper, *, title: str) -> Page:
+    """Put a damper law with its record on a page."""
+    return damper_page(found.fit, found.curve, found.findings, title=title)
 
 
 def stiffness_page(
@@ -101,7 +117,7 @@ def decay_page(
 
 def damper_page(
     found: DamperResult,
-    curve: DamperCurve | Callable[[], DamperCurve],
+    curve: DamperCurve,
     findings: Sequence[Finding],
     *,
     title: str,
@@ -112,8 +128,8 @@ def damper_page(
     ----------
     found : DamperResult
         As :func:`jounce.fit_damper` gives it.
-    curve : DamperCurve or callable
-        Measured and fitted force side by side, or what gives them where a figure is drawn.
+    curve : DamperCurve
+        Measured and fitted force side by side.
     findings : sequence of Finding
         What weakens the numbers.
     title : str
@@ -132,7 +148,7 @@ def damper_page(
         f"{found.stroke_positive}, the force in {found.force_positive}; the law is positive in compression."
     )
     words = "Force against velocity and against displacement, measured and fitted."
-    picture = Picture(lambda: figure_of(curve() if callable(curve) else curve, law=found.law), "damper", words, words)
+    picture = Picture(lambda: figure_of(curve, law=found.law), "damper", words, words)
     table = as_table(fields_table(f"Damper, {found.law} law", parameters), note)
     tables = {"damper": found.damper, "friction": found.friction}
     rig = Bullets(tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None))
