@@ -49,6 +49,7 @@ from .design.adjustment import adjust_rig as adjust_rig
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
+from .design.best_design import find_best_design as find_best_design
 from .design.goal_front import design_front as design_front
 from .design.hardpoint_front import kinematic_front as kinematic_front
 from .design.kinematics import design_kinematics as design_kinematics

@@ -12,21 +12,14 @@ import typer
 from jounce.cli.derived import add_commands
 from jounce.cli.options import (
     AsJson,
-    Changes,
     FigureFile,
     Force,
     ReportFile,
-    RigFile,
-    changes,
     check_outputs,
-    chosen_rig,
     write_picture,
     write_report,
-    write_rig,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
-from jounce.core.errors import DescriptionError
-from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,188 +28,11 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign, TargetResult
-    from jounce.parts import Rig
     from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Springs, dampers, hardpoints and best designs.")
 add_commands(app, "design")
-Limits = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--limit",
-        metavar="METRIC=LIMIT",
-        help='Constraint: strut.deflection="20 mm" (at most), "mode 1 frequency"="1.2..1.5 Hz". Repeat it.',
-    ),
-]
-DesignRoad = Annotated[
-    str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), or its roughness G_d(0.1 1/m), e.g. 256e-6 m^3.")
-]
-DesignSpeed = Annotated[str, typer.Option(help='Speed over the road, e.g. "20 m/s".')]
-RoadBand = Annotated[
-    str | None,
-    typer.Option(
-        "--band",
-        help='Band of spatial frequencies: iso (0.011 to 2.83 1/m) or "0.02..3"; unlimited by default where possible.',
-    ),
-]
-
-
-@app.command("optimise")
-def optimise(
-    vehicle: Annotated[
-        str,
-        typer.Argument(
-            metavar="NAME|FILE|STUDY.toml",
-            help='A rig or vehicle; or a study file, schema = "jounce.optimisation/1", which says all else.',
-            show_default=False,
-        ),
-    ],
-    free: Annotated[
-        list[str] | None,
-        typer.Option(metavar="PATH=BOUNDS", help='What may vary: "300..6000" with units or SI, or "±30 %". Repeat it.'),
-    ] = None,
-    objective: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="METRIC[=WEIGHT]",
-            help='Metric to minimise: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
-        ),
-    ] = None,
-    road: Annotated[
-        str, typer.Option(help="A class (iso:A to iso:H) or roughness; with --duration any road file.")
-    ] = "iso:C",
-    speed: DesignSpeed = "20 m/s",
-    limit: Limits = None,
-    duration: Annotated[
-        str | None,
-        typer.Option(help="Simulate the road for this time instead of using the closed-form random response."),
-    ] = None,
-    band: RoadBand = None,
-    starts: Annotated[int, typer.Option(help="Number of searches; the first starts from the present design.")] = 1,
-    set_: Changes = None,
-    out: RigFile = None,
-    figure: FigureFile = None,
-    report: ReportFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Find the parameters of a vehicle that minimise an objective within bounds and limits, using exact gradients.
-
-    Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
-    """
-    from jounce.core.description import schema_told
-
-    check_outputs(rig=out, figure=figure, report=report, force=force)
-    if schema_told(Path(vehicle)).startswith("jounce.optimisation/"):
-        _refuse_beside_study(free, objective, limit, set_, duration, band)
-        return _from_study(Path(vehicle), out, figure, report, force=force, as_json=as_json)
-    if not free or not objective:
-        missing_ = "--free" if not free else "--objective"
-        raise DescriptionError("nothing is given", where=missing_, hint="Or give a study file that says it.")
-    from jounce.design.options import FREE, LIMITS
-
-    bounds, limits = FREE.read(free, "--free"), LIMITS.read(limit, "--limit")
-    weights = _weights(objective)
-    wanted = changes(set_)
-    with progress() as say:
-        say("loading")
-        from jounce.design.optimise import optimise as find_best
-
-        rig = chosen_rig(vehicle, wanted)
-        driven = _driven(rig, road, speed, duration, band)
-        say("searching")
-        found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
-    write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
-    title = f"{vehicle} over {found.driven}"
-    drawn, missing = write_picture(found, figure, title, force=force)
-
-    def page() -> Page:
-        from jounce.report import optimisation_page
-
-        return optimisation_page(found, title=Path(vehicle).stem)
-
-    document, undrawn = write_report(page, report, force=force)
-    plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
-    plain |= {"out": out and str(out), "figure": drawn, "report": document}
-    missing = [*missing, *undrawn]
-
-    def draw(console: Console) -> None:
-        from jounce.cli.terminal import show_page
-
-        show_page(console, page())
-        show_written(console, plain)
-
-    return Reply(plain, draw, as_json, missing=missing)
-
-
-def _refuse_beside_study(*given: object) -> None:
-    names = ("--free", "--objective", "--limit", "--set", "--duration", "--band")
-    for name, value in zip(names, given, strict=True):
-        if value:
-            raise DescriptionError("a study file says all of the task", where=name, hint="Write it into the file.")
-
-
-def _from_study(
-    study: Path, out: Path | None, figure: Path | None, report: Path | None, *, force: bool, as_json: bool
-) -> Reply:
-    """Search what a study asks for: the best design, or a front."""
-    from jounce.design.goal_front import DesignFront
-    from jounce.design.optimise import Optimisation
-
-    with progress() as say:
-        say("reading the study")
-        from jounce.design.optimisation_study import read_optimisation, run_optimisation
-
-        task = read_optimisation(study)[0]
-        if task.front is not None and out is not None:
-            raise DescriptionError("a front is many rigs", where="--out", hint="Take one of its designs with --set.")
-        say("searching")
-        found = run_optimisation(study)
-    if isinstance(found, Optimisation):
-        write_rig(found.rig, out, f"Best of {study.name} over {found.driven}.", force=force)
-    drawn, missing = write_picture(found, figure, study.stem, force=force)
-
-    def page() -> Page:
-        from jounce.report import design_front_page, front_page, optimisation_page
-
-        if isinstance(found, Optimisation):
-            return optimisation_page(found, title=study.stem)
-        if isinstance(found, DesignFront):
-            return design_front_page(found, title=study.stem)
-        return front_page(found, title=study.stem)
-
-    document, undrawn = write_report(page, report, force=force)
-    named = {"rig": task.rig, "set": {}, "study": str(study)}
-    plain = {**named, **found.to_dict(), "out": out and str(out), "figure": drawn, "report": document}
-
-    def draw(console: Console) -> None:
-        from jounce.cli.terminal import show_page
-
-        show_page(console, page())
-        show_written(console, plain)
-
-    return Reply(plain, draw, as_json, missing=[*missing, *undrawn])
-
-
-def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | None) -> dict[str, Any]:
-    """Road and speed of a stationary response, or the trial to simulate."""
-    velocity = positive_quantity(speed, "m/s", "--speed")
-    if duration is None:
-        from jounce.design.options import ROAD_BAND
-
-        return {"road": road, "speed": velocity, "band": None if band is None else ROAD_BAND.read(band, "--band")}
-    if band is not None:
-        raise DescriptionError("a simulated road is not limited to a band", where="--band", hint="Leave out the band.")
-    from jounce.ride.study import iso_trial, road_trial
-    from jounce.roads import load_road
-    from jounce.roads.loading import class_and_seed, is_class
-
-    lasting = positive_quantity(duration, "s", "--duration")
-    if is_class(road):
-        class_, seed = class_and_seed(road)
-        return {"trial": iso_trial(rig, class_, velocity, duration=lasting, seed=seed or 0).trial}
-    return {"trial": road_trial(rig, load_road(road), velocity, duration=lasting).trial}
 
 
 @app.command("kinematics")
@@ -435,14 +251,3 @@ def _wanted_text(target: TargetResult, factor: float) -> str:
         low, high = (None if end is None else f"{end * factor:.5g}" for end in target.wanted)
         return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} … {high}"
     return "0 from it" if target.has_curve else f"{target.wanted * factor:.5g}"
-
-
-def _weights(texts: list[str]) -> dict[str, float]:
-    """Weights by metric; 1 where none is given."""
-    found: dict[str, float] = {}
-    for text in texts:
-        name, equals, weight = text.partition("=")
-        if name.strip() in found:
-            raise DescriptionError("given twice", where="--objective", found=name.strip())
-        found[name.strip()] = quantity(weight, "1", f"--objective {name.strip()}") if equals else 1.0
-    return found

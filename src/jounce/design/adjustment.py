@@ -137,6 +137,6 @@ def adjust_rig(
         for name in made:
             if name == "camber_plate" or (name.endswith("_length") and name != "pushrod_length"):
                 hint = "Leave it out, or --camber and --toe."
-                raise DescriptionError("a length to be found is also given", where=f"settings: {name}", hint=hint)
+                raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
         made |= lengths.settings()
     return Adjustment(adjust_report(rig, made, effects=not made), lengths)

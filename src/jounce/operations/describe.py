@@ -26,6 +26,7 @@ MODULES = (
     "jounce.bench.springs",
     "jounce.campaign.bench_fits",
     "jounce.design.adjustment",
+    "jounce.design.best_design",
     "jounce.design.pareto",
     "jounce.design.springs",
     "jounce.kinematics.swept",

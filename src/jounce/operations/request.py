@@ -117,9 +117,8 @@ def naming_options(parameters: Iterable[Parameter]) -> Iterator[None]:
         yield
     except JounceError as error:
         places = {parameter.name: parameter.place for parameter in parameters}
-        name, colon, rest = error.where.partition(": ")
-        if name not in places:
+        if error.where not in places:
             raise
-        where = f"{places[name]}{colon}{rest}"
+        where = places[error.where]
         kind = type(error)
         raise kind(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None

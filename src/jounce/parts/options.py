@@ -24,15 +24,14 @@ MaybeRig: TypeAlias = Annotated[
 ]
 """A rig that a command may do without, named by an option."""
 
+CHANGES = Settings(
+    'Change a parameter of the rig: strut.spring.rate="25 N/mm".', "PATH=VALUE", 'strut.spring.rate="25 N/mm"'
+)
+
 
 def chosen_rig(
     rig: Annotated[str, File("A vehicle or rig file, or a name of `jounce library`.", shipped=("parts",))],
-    changes: Annotated[
-        Mapping[str, Any] | None,
-        Settings(
-            'Change a parameter of the rig: strut.spring.rate="25 N/mm".', "PATH=VALUE", 'strut.spring.rate="25 N/mm"'
-        ),
-    ] = None,
+    changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig:
     """Load a rig and change its values.
 

@@ -94,6 +94,7 @@ def _registered() -> Callable[..., Figure]:
 
     from jounce.campaign.bench_fits import MeasuredDamper, MeasuredDecays, MeasuredStiffness
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.best_design import BestDesign
     from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign
@@ -181,6 +182,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(TrialResult, campaign.measured_against_simulated)
     draw.register(CampaignResult, lambda result, **options: campaign.trial_matrix(result.trials, **options))
     draw.register(Optimisation, design.optimisation)
+    draw.register(BestDesign, lambda result, **options: draw(result.found, **options))
     draw.register(ParetoFront, design.pareto_front)
     draw.register(DesignFront, design.design_front)
     draw.register(RideStudy, design.trade_off)

@@ -22,9 +22,10 @@ from jounce.report.page import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from jounce.core.types import Array
+    from jounce.design.best_design import BestDesign
     from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront, ParetoMark
@@ -78,6 +79,16 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     return Page(
         title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {raised(found.driven)}"
     )
+
+
+def best_design_page(found: BestDesign, *, title: str) -> Page:
+    """Put what a search for the best design found on a page: the design, or a front of them."""
+    pages: dict[str, Callable[..., Page]] = {
+        "Optimisation": optimisation_page,
+        "ParetoFront": front_page,
+        "DesignFront": design_front_page,
+    }
+    return pages[type(found.found).__name__](found.found, title=title)
 
 
 def _ends(found: Optimisation, name: str) -> str:

@@ -119,7 +119,7 @@ def ride_road(
     rig = as_rig(rig)
     names = named_controls(controls or ["passive"])
     with trusting(trust):
-        return compare_rides(rig, _trial(rig, road, speed, duration, seed), names, progress=progress)
+        return compare_rides(rig, trial_over(rig, road, speed, duration, seed), names, progress=progress)
 
 
 @operation(
@@ -198,7 +198,10 @@ def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
     return list(dict.fromkeys(one for name in named for one in (all_controls() if name == "all" else (name,))))
 
 
-def _trial(rig: Rig, road: str, speed: float | str, duration: float | str | None, seed: int) -> RideTrial:
+def trial_over(
+    rig: Rig, road: str, speed: float | str, duration: float | str | None = None, seed: int = 0
+) -> RideTrial:
+    """Give the trial of a vehicle over a class of ISO 8608, a road file, or a road of the library."""
     if not is_class(road):
         return road_trial(rig, load_road(road), speed, duration=duration)
     name, own = class_and_seed(road)

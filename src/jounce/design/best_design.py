@@ -1,0 +1,220 @@
+"""The best design as faces ask for it: of a rig with bounds and an objective, or of a study file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from jounce.core.description import schema_told
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.operation import Count, File, MadeBy, Mark, Number, Texts, operation
+from jounce.core.serialise import Plain
+from jounce.core.typed import quantity
+from jounce.design.goal_front import DesignFront
+from jounce.design.optimisation_study import read_optimisation, run_optimisation
+from jounce.design.optimise import Optimisation, optimise
+from jounce.design.options import FREE, LIMITS, ROAD_BAND, ROAD_SPEED
+from jounce.design.pareto import ParetoFront
+from jounce.design.problem import LimitGiven
+from jounce.identify.fit_problem import Bounds
+from jounce.parts import Rig, as_rig
+from jounce.parts.options import CHANGES, chosen_rig, rig_in_python
+from jounce.ride.drives import trial_over
+
+_SCHEMA = "jounce.optimisation/"
+_BESIDE = ("free", "objective", "limit", "set", "duration", "band")
+"""Options that a study file replaces."""
+
+
+@dataclass(frozen=True)
+class BestDesign(Plain):
+    """What a search for the best design found.
+
+    Attributes
+    ----------
+    found : Optimisation, ParetoFront or DesignFront
+        SI; a front where a study asks for one.
+    study : str
+        The study file; empty without one.
+    of : str
+        The rig that a study names.
+    """
+
+    found: Optimisation | ParetoFront | DesignFront
+    study: str = ""
+    of: str = ""
+
+    @property
+    def rig(self) -> Rig:
+        """The best rig."""
+        assert isinstance(self.found, Optimisation)  # a front is refused before the search where a rig is asked for
+        return self.found.rig
+
+    @property
+    def aim(self) -> str:
+        """What was minimised, in words."""
+        return ", ".join(self.found.objective) if isinstance(self.found, Optimisation) else ""
+
+    @property
+    def driven(self) -> str:
+        """What was driven over, in words."""
+        return self.found.driven
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What to know of it."""
+        return self.found.findings
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        named = {"rig": self.of, "set": {}, "study": self.study} if self.study else {}
+        return {**named, **self.found.to_dict()}
+
+
+def rig_or_study(
+    vehicle: Annotated[
+        str,
+        File(
+            'A rig or vehicle; or a study file, schema = "jounce.optimisation/1", which describes the whole task.',
+            "NAME|FILE|STUDY.toml",
+            shipped=("parts",),
+        ),
+    ],
+    changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
+) -> Rig | Path:
+    """Load a rig and change its values; a study is given as its file."""
+    return Path(vehicle) if _is_study(vehicle) else chosen_rig(vehicle, changes)
+
+
+def rig_or_study_in_python(vehicle: str, changes: Mapping[str, Any] | None = None) -> str:
+    """Write it as Python."""
+    return repr(vehicle) if _is_study(vehicle) else rig_in_python(vehicle, changes)
+
+
+def _is_study(vehicle: str) -> bool:
+    return schema_told(Path(vehicle)).startswith(_SCHEMA)
+
+
+def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
+    """Refuse options beside a study, a rig file for a front, and a task without variables or objective."""
+    options = {name: given["set_" if name == "set" else name] for name in _BESIDE}
+    if not _is_study(vehicle):
+        for name in ("free", "objective"):
+            if not options[name]:
+                raise DescriptionError("nothing is given", where=f"--{name}", hint="Or give a study file that says it.")
+        return
+    for name, value in options.items():
+        if value:
+            raise DescriptionError(
+                "a study file says all of the task", where=f"--{name}", hint="Write it into the file."
+            )
+    if out is not None and read_optimisation(vehicle)[0].front is not None:
+        raise DescriptionError("a front is many rigs", where="--out", hint="Take one of its designs with --set.")
+
+
+@operation(
+    "design optimise",
+    named={"changes": "set", "constraints": "limit"},
+    echo={"rig": "vehicle", "set": "set"},
+    offers=("rig", "figure", "report"),
+    check="jounce.design.best_design:check_task",
+    page="jounce.report.decisions:best_design_page",
+    title="{vehicle}",
+    comment="{vehicle}, best for {result.aim} over {result.driven}.",
+    doing="searching",
+    example='jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az',
+)
+def find_best_design(
+    rig: Annotated[
+        Rig | str | Path,
+        MadeBy("jounce.design.best_design:rig_or_study", "jounce.design.best_design:rig_or_study_in_python"),
+    ],
+    free: Annotated[Mapping[str, Bounds] | None, FREE] = None,
+    objective: Annotated[
+        Sequence[str] | None,
+        Texts(
+            'Metric to minimise: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
+            "METRIC[=WEIGHT]",
+        ),
+    ] = None,
+    *,
+    road: Annotated[
+        str, Mark("A class (iso:A to iso:H) or roughness; with --duration any road file.", "ROAD")
+    ] = "iso:C",
+    speed: Annotated[float | str, ROAD_SPEED] = "20 m/s",
+    constraints: Annotated[Mapping[str, LimitGiven] | None, LIMITS] = None,
+    duration: Annotated[
+        float | str | None,
+        Number(
+            "Simulate the road for this time instead of using the closed-form random response.",
+            "TIME",
+            "s",
+            is_positive=True,
+        ),
+    ] = None,
+    band: Annotated[tuple[float, float] | Literal["iso"] | None, ROAD_BAND] = None,
+    starts: Annotated[int, Count("Number of searches; the first starts from the present design.")] = 1,
+) -> BestDesign:
+    """Find the parameters of a vehicle that minimise an objective within bounds and limits, using exact gradients.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name in the library; or a study file (``jounce.optimisation/1``) alone.
+    free : mapping, optional
+        Path to its bounds, as for :func:`jounce.optimise`.
+    objective : sequence of str, optional
+        Metrics to minimise, each with a weight: ``"sprung.az=2"`` (1 by default).
+    road : str
+        Class of ISO 8608 or roughness; with ``duration`` any road file or name of the library.
+    speed : float or str
+        m/s.
+    constraints : mapping, optional
+        Limits, as for :func:`jounce.optimise`.
+    duration : float or str, optional
+        Time for which the road is simulated, s; by default the random response is used in closed form.
+    band : tuple of float or "iso", optional
+        Spatial frequencies of the road, 1/m.
+    starts : int
+        Searches, the first from the present design.
+
+    Returns
+    -------
+    BestDesign
+        SI.
+
+    Raises
+    ------
+    DescriptionError, FitError
+        As for :func:`jounce.optimise`.
+
+    Examples
+    --------
+    >>> free = {"strut.damper.coefficient": (500, 5000)}
+    >>> best = find_best_design("audi-a6-quarter-car", free, ["sprung.az"], road="iso:C", speed="20 m/s", band="iso")
+    >>> best.found.converged
+    True
+    """
+    if isinstance(rig, str | Path) and _is_study(str(rig)):
+        return BestDesign(run_optimisation(rig), str(rig), read_optimisation(rig)[0].rig)
+    chosen, weights = as_rig(rig), _weights(objective or ())
+    driven: dict[str, Any] = {"road": road, "speed": speed, "band": band}
+    if duration is not None:
+        if band is not None:
+            raise DescriptionError("a simulated road is not limited to a band", where="band", hint="Leave it out.")
+        driven = {"trial": trial_over(chosen, road, speed, duration).trial}
+    return BestDesign(optimise(chosen, free or {}, weights, constraints, **driven, starts=starts))
+
+
+def _weights(texts: Sequence[str]) -> dict[str, float]:
+    """Give weights by metric; 1 where none is given."""
+    weights: dict[str, float] = {}
+    for text in texts:
+        name, equals, weight = text.partition("=")
+        if name.strip() in weights:
+            raise DescriptionError("given twice", where="objective", found=name.strip())
+        weights[name.strip()] = quantity(weight, "1", f"--objective {name.strip()}") if equals else 1.0
+    return weights
