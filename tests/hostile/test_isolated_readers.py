@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from jounce.core import child_processes
 from jounce.core.errors import JounceError, RecordingError
 from jounce.recordings import isolated, read_recording, readers, recording, write_recording
 from jounce.recordings.isolated import read_isolated
@@ -112,8 +113,8 @@ def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatc
     begin = "from jounce.recordings.isolated import serve"
     unlimited = f"from jounce.recordings import isolated; isolated.limit = lambda *_: None; {begin}"
     monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace(begin, unlimited))
-    monkeypatch.setattr(isolated, "_LIMITS_MEMORY", False)
-    monkeypatch.setattr(isolated, "_BETWEEN_LOOKS", 0.05)
+    monkeypatch.setattr(child_processes, "LIMITS_MEMORY", False)
+    monkeypatch.setattr(child_processes, "_BETWEEN_LOOKS", 0.05)
     with pytest.raises(RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"):
         evil("grow")
     assert evil("whole").left_out == ("z",)
@@ -140,9 +141,9 @@ def test_windows_tells_what_a_process_takes(monkeypatch: pytest.MonkeyPatch, ans
 
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(ctypes, "WinDLL", Library, raising=False)
-    assert isolated._memory_of(Process()) == taken
+    assert child_processes._memory_of(Process()) == taken
     monkeypatch.delattr(ctypes, "WinDLL")
-    assert isolated._memory_of(Process()) == 0.0
+    assert child_processes._memory_of(Process()) == 0.0
 
 
 def test_everything_comes_back_as_it_was_read(evil) -> None:

@@ -16,7 +16,7 @@ from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.core.waiting import told
-from jounce.kernel.apart import made_apart
+from jounce.kernel.apart import compile_in_child
 from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
 from jounce.kernel.call import Loop
 from jounce.kernel.machine import IN_LLVM, Code, machine_code, this_machine
@@ -97,7 +97,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
             return _load(cached)
     once = f"in every process: {why}" if (why := why_not_kept()) else "once on this machine"
     with told(f"compiling the model ({once})"), _garbage_waits():
-        content = made_apart(lambda: _made(make)) or _made(make)
+        content = compile_in_child(lambda: _made(make)) or _made(make)
         keep(key, content)
     return _load(content)
 

@@ -12,10 +12,7 @@ import contextlib
 import json
 import os
 import signal
-import subprocess
 import sys
-import threading
-import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -23,6 +20,7 @@ from typing import IO, Any
 import numpy as np
 
 from jounce.core import errors, optional
+from jounce.core.child_processes import ChildProcess, Watch, has_less_than, limit, resident_memory
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
 from jounce.core.findings import finding_of
@@ -73,21 +71,13 @@ def prepare() -> None:
         _IDLE.append(_Child())
 
 
-class _Child:
-    """A process that reads files, and the pipes to it."""
+class _Child(ChildProcess):
+    """A process that reads files."""
 
     def __init__(self) -> None:
         threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-        try:
-            self.process = subprocess.Popen(
-                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                env={**os.environ, **threads},
-            )
-        except OSError as error:
-            raise resource_error(error, "a process to read files in") from None
+        command = [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path)]
+        super().__init__(command, "a process to read files in", environment=threads)
         self.is_ready = False
 
     def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
@@ -104,16 +94,12 @@ class _Child:
             "memory": memory,
             "seconds": seconds,
         }
-        stdin, stdout = self.process.stdin, self.process.stdout
-        assert stdin is not None
-        assert stdout is not None
-        watch = _Watch(self.process, 3.0 * seconds, memory)
+        watch = Watch(self.process, 3.0 * seconds, memory)
         watch.start()
         try:
-            self.is_ready = self.is_ready or stdout.read(1) == _READY
-            stdin.write(json.dumps(told).encode() + b"\n")
-            stdin.flush()
-            return _received(stdout)
+            self.is_ready = self.is_ready or self.read(1) == _READY
+            self.send(json.dumps(told).encode() + b"\n")
+            return _received(self)
         except (EOFError, BrokenPipeError, ConnectionError):
             if watch.is_too_large:
                 raise too_much_memory(MemoryError(), str(path), memory) from None
@@ -152,16 +138,6 @@ class _Child:
             f"the process that reads the file ended (exit code {code})", where=str(path), hint="Use an original copy."
         )
 
-    def end(self) -> None:
-        """Stop the process, whatever it does."""
-        with contextlib.suppress(OSError):
-            self.process.kill()
-        self.process.wait()
-        for pipe in (self.process.stdin, self.process.stdout):
-            if pipe is not None:
-                with contextlib.suppress(OSError):
-                    pipe.close()
-
 
 _FROM_OUTSIDE = {getattr(signal, name, None) for name in ("SIGKILL", "SIGTERM", "SIGHUP")}
 """Signals that no library sends, but a user, or a system without memory."""
@@ -172,64 +148,6 @@ def _folder() -> str:
     with contextlib.suppress(OSError):
         return str(Path.cwd())
     return os.sep
-
-
-_LIMITS_MEMORY = sys.platform.startswith("linux")
-"""Whether the system holds a process to the memory that it may take; elsewhere it is looked at from here."""
-_BETWEEN_LOOKS = 0.25  # s
-
-
-class _Watch(threading.Thread):
-    """Ends a child that takes too long by the clock or, where the system limits no memory but tells it, too much."""
-
-    def __init__(self, process: subprocess.Popen[bytes], seconds: float, memory: float) -> None:
-        super().__init__(daemon=True)
-        self.process, self.end, self.memory = process, time.monotonic() + seconds, memory
-        self.over = threading.Event()
-        self.is_late = self.is_too_large = False
-
-    def run(self) -> None:
-        while (left := self.end - time.monotonic()) > 0.0:
-            if self.over.wait(left if _LIMITS_MEMORY else min(left, _BETWEEN_LOOKS)):
-                return
-            if not _LIMITS_MEMORY and _memory_of(self.process) > self.memory:
-                self.is_too_large = True
-                self.process.kill()
-                return
-        self.is_late = True
-        self.process.kill()
-
-
-def _memory_of(process: subprocess.Popen[bytes]) -> float:
-    """Bytes that another process takes, as Windows or the system's ``ps`` says; 0 where nobody tells."""
-    try:
-        if sys.platform == "win32":
-            return _memory_on_windows(int(process._handle))  # type: ignore[attr-defined,unused-ignore]
-        asked = ["/bin/ps", "-o", "rss=", "-p", str(process.pid)]
-        return 1024.0 * float(subprocess.run(asked, capture_output=True, timeout=5.0, check=False).stdout)
-    except (OSError, ValueError, AttributeError, subprocess.TimeoutExpired):
-        return 0.0
-
-
-def _memory_on_windows(handle: int) -> float:
-    """Bytes that the process of a handle keeps for itself; 0 where Windows does not tell."""
-    import ctypes
-
-    sizes = ("PeakWorkingSet", "WorkingSet", "PeakPagedPool", "PagedPool", "PeakPool", "Pool", "Pagefile", "PeakFile")
-
-    class Counters(ctypes.Structure):
-        """PROCESS_MEMORY_COUNTERS."""
-
-        _fields_ = [
-            ("size", ctypes.c_uint32),
-            ("faults", ctypes.c_uint32),
-            *((name, ctypes.c_size_t) for name in sizes),
-        ]
-
-    found = Counters(size=ctypes.sizeof(Counters))
-    ask = ctypes.WinDLL("kernel32").K32GetProcessMemoryInfo  # type: ignore[attr-defined,unused-ignore]
-    ask.argtypes, ask.restype = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32), ctypes.c_int
-    return float(found.Pagefile) if ask(handle, ctypes.addressof(found), found.size) else 0.0
 
 
 _IDLE: list[_Child] = []
@@ -285,12 +203,12 @@ def serve(readers: Sequence[Reader]) -> None:
             answer, arrays = {"error": _plain_error(error)}, []
         except MemoryError as error:
             path, memory = told["path"], told["memory"]
-            known = resource_error(error, path) if _has_less_than(memory) else too_much_memory(error, path, memory)
+            known = resource_error(error, path) if has_less_than(memory) else too_much_memory(error, path, memory)
             answer, arrays = {"error": _plain_error(known)}, []
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
             answer, arrays = {"error": _plain_error(unforeseen(error, told["path"], RecordingError))}, []
         os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
-        answer["is_last"] = _resident_memory() > _LARGEST_WORKER
+        answer["is_last"] = resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
 
 
@@ -311,51 +229,6 @@ def _read(readers: Sequence[Reader], told: Mapping[str, Any]) -> SignalTable:
     return reader.read(Path(told["path"]), ReaderOptions(told["variable"], told["header"], database))
 
 
-def limit(memory: float, seconds: float) -> None:
-    """Bound memory and computing time from now on, where the system can."""
-    try:
-        import resource
-    except ImportError:  # Windows: the clock of the parent alone
-        return
-    own = resource.getrusage(resource.RUSAGE_SELF)
-    for kind, most in (
-        (resource.RLIMIT_DATA, int(_used_memory() + memory)),
-        (resource.RLIMIT_CPU, int(own.ru_utime + own.ru_stime + seconds) + 1),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        _, hard = resource.getrlimit(kind)
-        with contextlib.suppress(ValueError, OSError):
-            resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
-
-
-def _has_less_than(memory: float) -> bool:
-    """Whether the user or the system gives this process less memory than a file may take."""
-    try:
-        import resource
-    except ImportError:
-        return False
-    most = [resource.getrlimit(kind)[1] for kind in (resource.RLIMIT_DATA, resource.RLIMIT_AS)]
-    return any(0 <= one < _used_memory() + memory for one in most if one != resource.RLIM_INFINITY)
-
-
-def _used_memory() -> float:
-    """Bytes of data that this process may use, which the limit counts; 0 where the system does not tell."""
-    return _memory_told(5)
-
-
-def _resident_memory() -> float:
-    """Bytes that this process really takes (libraries reserve many times more); 0 where the system does not tell."""
-    return _memory_told(1)
-
-
-def _memory_told(column: int) -> float:
-    try:
-        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[column])
-    except (OSError, ValueError, IndexError):
-        return 0.0
-    return float(pages * os.sysconf("SC_PAGE_SIZE"))
-
-
 # --- what goes through the pipe
 
 
@@ -367,26 +240,16 @@ def _send(stream: IO[bytes], answer: Mapping[str, Any], arrays: list[Any]) -> No
     stream.flush()
 
 
-def _received(stream: IO[bytes]) -> tuple[dict[str, Any], list[Any]]:
-    text = bytearray(int.from_bytes(_filled(stream, bytearray(8)), "little"))
-    answer: dict[str, Any] = json.loads(_filled(stream, text))
+def _received(child: ChildProcess) -> tuple[dict[str, Any], list[Any]]:
+    size = int.from_bytes(child.read(8), "little")
+    answer: dict[str, Any] = json.loads(child.read(size))
     arrays = []
     for dtype, shape in answer.get("signals", {}).get("arrays", ()):
         array = np.empty(shape, np.dtype(dtype))
         if array.size:
-            _filled(stream, _bytes_of(array))
+            child.fill(_bytes_of(array))
         arrays.append(array)
     return answer, arrays
-
-
-def _filled(stream: IO[bytes], room: Any) -> Any:
-    view, got = memoryview(room), 0
-    while got < len(view):
-        count = stream.readinto(view[got:])  # type: ignore[attr-defined]
-        if not count:
-            raise EOFError
-        got += count
-    return room
 
 
 def _bytes_of(array: Any) -> memoryview:

@@ -116,7 +116,7 @@ def work(folder: Path) -> int:
 
         always_below(Path(job["root"]))
         if job.get("limits"):
-            from jounce.recordings.isolated import limit
+            from jounce.core.child_processes import limit
 
             limit(*job["limits"])
         if "question" in job:

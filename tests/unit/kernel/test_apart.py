@@ -12,23 +12,23 @@ import numpy as np
 import pytest
 
 from jounce.kernel import apart, native
-from jounce.kernel.apart import compiling_apart, made_apart
+from jounce.kernel.apart import compile_in_child, compiling_apart
 from jounce.kernel.machine import IN_LLVM
 
 pytestmark = pytest.mark.skipif(not apart.SPLITS, reason="this system splits no process")
 
 
 def test_only_where_it_is_wanted():
-    assert made_apart(lambda: b"made") is None
+    assert compile_in_child(lambda: b"made") is None
     with compiling_apart():
-        assert made_apart(lambda: b"made") == b"made"
-        assert made_apart(lambda: bytes(5_000_000)) == bytes(5_000_000)  # more than a pipe holds
-    assert made_apart(lambda: b"made") is None
+        assert compile_in_child(lambda: b"made") == b"made"
+        assert compile_in_child(lambda: bytes(5_000_000)) == bytes(5_000_000)  # more than a pipe holds
+    assert compile_in_child(lambda: b"made") is None
 
 
 def test_it_is_made_in_another_process_that_has_gone():
     with compiling_apart():
-        child = int(made_apart(lambda: str(os.getpid()).encode()) or b"0")
+        child = int(compile_in_child(lambda: str(os.getpid()).encode()) or b"0")
     assert child not in (0, os.getpid())
     with pytest.raises(ProcessLookupError):
         os.kill(child, 0)
@@ -42,7 +42,7 @@ def test_no_process_splits_where_its_libraries_do_not_survive_it(monkeypatch, sy
         monkeypatch.setattr(apart, "SPLITS", splits)
         monkeypatch.setattr(os, "fork", lambda: pytest.fail("the process is split"))
         with compiling_apart():
-            assert made_apart(lambda: b"made") is None
+            assert compile_in_child(lambda: b"made") is None
 
 
 def test_errors_and_crashes_give_nothing(capfd):
@@ -51,21 +51,23 @@ def test_errors_and_crashes_give_nothing(capfd):
         return b""
 
     with compiling_apart():
-        assert made_apart(lambda: b"%d" % (1 // 0)) is None
-        assert made_apart(crash) is None
+        assert compile_in_child(lambda: b"%d" % (1 // 0)) is None
+        assert compile_in_child(crash) is None
     assert capfd.readouterr() == ("", "")
 
 
 def test_a_child_that_hangs_is_ended(monkeypatch):
     monkeypatch.setattr(apart, "_LONGEST", 0.05)
     with compiling_apart():
-        assert made_apart(lambda: signal.pause() or b"") is None
+        assert compile_in_child(lambda: signal.pause() or b"") is None
 
 
 def test_the_child_holds_no_connection_of_the_server():
     ours, theirs = socket.socketpair()
     with ours, theirs, compiling_apart():
-        given = made_apart(lambda: b"closed" if theirs.fileno() > 2 and not _is_open(theirs.fileno()) else b"open")
+        given = compile_in_child(
+            lambda: b"closed" if theirs.fileno() > 2 and not _is_open(theirs.fileno()) else b"open"
+        )
     assert given == b"closed"
 
 
@@ -79,7 +81,7 @@ def test_a_process_is_not_split_while_another_thread_is_in_the_compiler():
 
     def split() -> None:
         with compiling_apart():
-            made.append(made_apart(lambda: b"made"))
+            made.append(compile_in_child(lambda: b"made"))
 
     threads = [threading.Thread(target=compile_something), threading.Thread(target=split)]
     threads[0].start()

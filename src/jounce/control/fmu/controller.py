@@ -5,16 +5,11 @@ from __future__ import annotations
 import ctypes
 import json
 import math
-import os
 import re
-import select
-import signal
 import struct
-import subprocess
 import sys
 import weakref
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Protocol, Self
@@ -26,7 +21,8 @@ from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
-from jounce.core.errors import DescriptionError, SimulationError, resource_error, unknown
+from jounce.core.child_processes import ChildProcess
+from jounce.core.errors import DescriptionError, ResourceError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.text import shortened
 from jounce.core.trust import trust_said
@@ -787,19 +783,14 @@ class _FmuProcess:
         )
         self._place = working_folder()
         self._folder = self._place.__enter__()
+        command = [sys.executable, "-I", *([] if whole else ["-S"]), caller.__file__]
         try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-I", *([] if whole else ["-S"]), caller.__file__],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                cwd=self._folder,
-                bufsize=0,
-                start_new_session=True,  # a signal to its own process group does not reach ours
+            self._process = ChildProcess(
+                command, "a process to run an FMU in", folder=self._folder, is_own_session=True
             )
-        except OSError as error:
+        except ResourceError:
             self._place.__exit__(None, None, None)
-            raise resource_error(error, "a process to run an FMU in") from None
+            raise
         self._send(json.dumps(told).encode() + b"\n")
 
     def start(self) -> None:
@@ -823,47 +814,26 @@ class _FmuProcess:
         return list(found)
 
     def _send(self, content: bytes) -> None:
-        assert self._process.stdin is not None
         try:
-            self._process.stdin.write(content)
+            self._process.send(content)
         except OSError:
             raise self._fate() from None
 
     def _read(self, count: int, patience: float | None = None) -> bytes:
-        stream = self._process.stdout
-        assert stream is not None
-        if patience and sys.platform != "win32" and not select.select([stream], [], [], patience)[0]:
-            self._kill()
-            raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended")
-        found = b""
-        while len(found) < count:
-            piece = stream.read(count - len(found))
-            if not piece:
-                raise self._fate()
-            found += piece
-        return found
+        try:
+            return self._process.read(count, patience)
+        except TimeoutError:
+            self._process.kill()
+            raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended") from None
+        except EOFError:
+            raise self._fate() from None
 
     def _fate(self) -> caller.FmuFailedError:
-        code = self._process.wait()
+        code = self._process.process.wait()
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
         return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
 
-    def _kill(self) -> None:
-        """End the process and what it has started."""
-        if os.name == "posix":
-            with suppress(ProcessLookupError):
-                os.killpg(self._process.pid, signal.SIGKILL)
-        else:
-            self._process.kill()
-
     def close(self) -> None:
         """End the process, and remove what was written in its folder."""
-        for stream in (self._process.stdin, self._process.stdout):
-            if stream is not None:
-                stream.close()
-        try:
-            self._process.wait(5.0)
-        except subprocess.TimeoutExpired:
-            self._kill()
-            self._process.wait()
+        self._process.end(patience=5.0)
         self._place.__exit__(None, None, None)
