@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import model_validator
+from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from jounce.core.description import Description
+from jounce.core.description import Description, Whole
 from jounce.core.errors import shown, unknown
 from jounce.core.samples import as_samples
 from jounce.core.seeds import check_seed
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 Initial = Literal["steady", "zero"]
 Datum = Literal["rest", "undeformed", "free offset"]
+Order = Annotated[Whole, Field(ge=1, le=8)]
 _LONGEST_VALUE = 200  # characters: a regular expression shall not search long texts
 _LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 
@@ -67,10 +68,13 @@ class Sensor(Description):
     Attributes
     ----------
     high_pass : float or None
-        Corner of the first-order AC coupling of a piezo conditioner, Hz (-3 dB); None: coupled down to 0 Hz.
+        Corner of the AC coupling of a piezo conditioner, Hz (-3 dB); None: coupled down to 0 Hz.
     low_pass : float or None
-        Corner of the band limit, Hz (-3 dB): a causal second-order Butterworth filter, so it delays by about
-        ``0.225 / low_pass`` s; None: no limit.
+        Corner of the band limit, Hz (-3 dB): a causal Butterworth filter; of the second order it delays by about
+        ``0.225 / low_pass`` s. None: no limit.
+    high_pass_order, low_pass_order : int
+        Orders of both filters, 1 to 8: a conditioner's AC coupling is of the first, an anti-alias filter often of the
+        fourth to eighth.
     bias : float or str
         Constant added to the record, in the channel's unit, e.g. ``"0.2 m/s^2"``.
     noise : float or str
@@ -79,6 +83,16 @@ class Sensor(Description):
         Recorded over true size, 1 by default.
     orientation : {1, -1}
         -1 for a sensor mounted upside down.
+    column : str
+        Its column in the files, with a unit where they give none, e.g. ``"ch0 [V]"``.
+    sensitivity : str or tuple of str
+        What is recorded for the quantity, where files hold volts or counts: ``"100 mV/g"``, ``"5 V / 50 mm"``, or links
+        from the sensor to the card, ``["10 pC/(m/s^2)", "1 mV/pC"]``.
+    zero : str
+        What is recorded where the quantity is 0, e.g. ``"2.5 V"``.
+    range : str
+        Greatest size that can be recorded, of the quantity (``"50 g"``) or of the card (``"10 V"``); beyond it record
+        and model are cut.
     datum : {"rest", "undeformed", "free offset"} or None
         Zero of the record: at rest before the run (a displacement sensor or load cell that was zeroed), the zero of
         the model (undeformed springs, design position, no force), or arbitrary, so that a constant is fitted with the
@@ -97,6 +111,12 @@ class Sensor(Description):
     gain: Number = 1.0
     orientation: Literal[1, -1] = 1
     datum: Datum | None = None
+    column: str = ""
+    sensitivity: str | tuple[str, ...] = ""
+    zero: str = ""
+    range: str = ""
+    high_pass_order: Order = 1
+    low_pass_order: Order = 2
 
     @model_validator(mode="after")
     def _is_possible(self) -> Self:
@@ -109,7 +129,12 @@ class Sensor(Description):
     @property
     def is_ideal(self) -> bool:
         """Whether the record is the motion itself, apart from noise."""
-        return self == Sensor(noise=self.noise)
+        acquired = {name: getattr(self, name) for name in _ACQUIRED}
+        return self == Sensor(noise=self.noise, **acquired)
+
+
+_ACQUIRED = ("column", "sensitivity", "zero")
+"""How a file is read, which is no part of what the chain does to a signal."""
 
 
 def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
@@ -123,29 +148,54 @@ def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") ->
     if sensor.high_pass is not None:
         check_frequency(sensor.high_pass, sample_rate, where=f"{where}: high_pass")
         w = math.tan(math.pi * sensor.high_pass / sample_rate)
-        sections.append([1.0 / (1.0 + w), -1.0 / (1.0 + w), 0.0, 1.0, -(1.0 - w) / (1.0 + w), 0.0])
+        sections += [_high_pass(w, angle) for angle in _pole_angles(sensor.high_pass_order)]
     if sensor.low_pass is not None:
         check_frequency(sensor.low_pass, sample_rate, where=f"{where}: low_pass")
-        sections.append(_low_pass(2.0 * math.pi * sensor.low_pass / sample_rate))
+        corner = 2.0 * math.pi * sensor.low_pass / sample_rate
+        sections += [_low_pass(corner, angle) for angle in _pole_angles(sensor.low_pass_order)]
     return np.array(sections, dtype=float).reshape(-1, 6)
 
 
+<<<<<<< HEAD
 def _low_pass(corner: float) -> list[float]:
     """Second-order Butterworth low pass as a section; ``corner`` in radians per sample."""
     if corner < _SLOW:
+=======
+def _pole_angles(order: int) -> list[float]:
+    """Angles (rad) of the pole pairs of a Butterworth filter from the real axis; 0 for a single real pole."""
+    half = math.pi / (2.0 * order)
+    return [half * k for k in range(1 - order % 2, order, 2)]
+
+
+def _high_pass(w: float, angle: float) -> list[float]:
+    """One pole, or one pair, of a Butterworth high pass by bilinear transform; ``w`` is the prewarped corner."""
+    if angle == 0.0:
+        return [1.0 / (1.0 + w), -1.0 / (1.0 + w), 0.0, 1.0, -(1.0 - w) / (1.0 + w), 0.0]
+    damped = 2.0 * math.cos(angle) * w
+    scale = 1.0 + damped + w * w
+    return [1.0 / scale, -2.0 / scale, 1.0 / scale, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - damped + w * w) / scale]
+
+
+def _low_pass(corner: float, angle: float) -> list[float]:
+    """One pole, or one pair, of a Butterworth low pass as a section; the corner in radians a sample."""
+    damped = 2.0 * math.cos(angle)
+    if angle == 0.0:  # s + 1: delay at rest in 1/corner, and gain at the corner
+        a1, a2, lag, gain = -math.exp(-corner), 0.0, 1.0, math.sqrt(0.5)
+    else:  # s^2 + damped s + 1
+        decay = math.exp(-0.5 * damped * corner)
+        a1, a2, lag, gain = -2.0 * decay * math.cos(math.sin(angle) * corner), decay**2, damped, 1.0 / damped
+    if angle and corner < _SLOW:
         w = math.tan(0.5 * corner)
-        scale = 1.0 + math.sqrt(2.0) * w + w * w
+        scale = 1.0 + damped * w + w * w
         b = w * w / scale
-        return [b, 2.0 * b, b, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - math.sqrt(2.0) * w + w * w) / scale]
-    pole = math.sqrt(0.5) * corner
-    a1, a2 = -2.0 * math.exp(-pole) * math.cos(pole), math.exp(-2.0 * pole)
+        return [b, 2.0 * b, b, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - damped * w + w * w) / scale]
     level = 1.0 + a1 + a2  # sum of b: a gain of 1 at rest
-    late = level * math.sqrt(2.0) / corner + a1 + 2.0 * a2  # b1 + 2 b2: the delay at rest
+    late = level * lag / corner + a1 + 2.0 * a2  # b1 + 2 b2: the delay at rest
     turn = cmath.exp(-1j * corner)
     line, bend = level - late + late * turn, (1.0 - turn) ** 2  # b = (level - late, late, 0) + more (1, -2, 1)
     half = (line * bend.conjugate()).real / abs(bend) ** 2
-    wanted = (0.5 * abs(1.0 + a1 * turn + a2 * turn**2) ** 2 - abs(line) ** 2) / abs(bend) ** 2
-    root = math.sqrt(half * half + wanted)
+    wanted = (abs(gain * (1.0 + a1 * turn + a2 * turn**2)) ** 2 - abs(line) ** 2) / abs(bend) ** 2
+    root = math.sqrt(max(half * half + wanted, 0.0))
     more = min(-half - root, -half + root, key=abs)
     return [level - late + more, late - 2.0 * more, more, 1.0, a1, a2]
 

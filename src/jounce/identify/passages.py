@@ -1,0 +1,462 @@
+"""Passages of an obstacle in a record that begins anywhere: found, timed, and averaged over the loops of a belt.
+
+A bench whose belt has been running records the wheel meeting the same obstacle again and again, and nothing comes to
+rest in between. The model's own response, through the sensors, is what is looked for; the recurrence gives the speed of
+the belt better than any sensor on a cylinder, and the average over the loops is what the model is compared with.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import xarray as xr
+
+from jounce.core.errors import FitError
+from jounce.core.findings import Finding
+from jounce.core.shown import Shown
+from jounce.core.types import Array
+from jounce.core.units import positive_si
+from jounce.identify.fit_problem import FitTrial
+from jounce.parts import Rig
+from jounce.recordings.carried import as_recording
+from jounce.recordings.schema import recording_of
+from jounce.recordings.sensors import Sensor, filter_signals
+from jounce.roads import Road, Train, Trial
+from jounce.simulation.linear_model import linearise
+from jounce.simulation.run import solved
+from jounce.simulation.settings import RunSettings
+
+LEAD = 0.05
+"""Share of the distance between two passages by which an averaged loop begins before the obstacle."""
+_LIKE = 0.5
+"""Correlation with the model's response from which on a place in the record counts as a passage."""
+_SETTLED = 1e-3
+"""What may be left of the start from rest when a loop of a running belt begins, as a share."""
+_MOST_LOOPS = 12
+_APART = 0.6
+"""Share of a loop that two passages are apart at least."""
+_SLIPS = 0.12
+"""Share by which the belt may be slower or faster than stated for its passages still to be found."""
+_AFTER = 0.15
+"""Seconds behind a single obstacle that are looked for, too: the wheel hops, the body begins to swing."""
+_ONSET, _NEAR = 0.02, 0.02
+"""Seconds behind the first obstacle that tell its onset, and to either side in which each passage is timed."""
+_ODD = 4.0
+"""Robust standard deviations of the difference to the average, beyond which a loop counts as odd."""
+
+
+@dataclass(frozen=True)
+class Passages(Shown):
+    """Passages of the obstacles of a road in one record.
+
+    Attributes
+    ----------
+    times : tuple of float
+        Instants at which the wheel meets the (first) obstacle, s of the record.
+    likeness : tuple of float
+        Correlation of the record with the model's response there, all channels together (1).
+    speed : float
+        Speed of the belt, m/s: its length over the time between passages; as stated where there is only one.
+    period : float or None
+        Mean time between passages, s; None for a single one.
+    loop : xarray.Dataset or None
+        Average of the loops, in SI on ``time`` (s), which counts from ``LEAD`` of a loop before the obstacle.
+    scatter : xarray.Dataset or None
+        Standard deviation between loops at each instant, in the unit of each channel.
+    repeatability : dict
+        Channel to the r.m.s. scatter between loops over the r.m.s. of the average (1).
+    odd : tuple of int
+        Passages (counted from 1) whose loop is unlike the others and was left out of the average.
+    findings : tuple of Finding
+        What was found and what is doubtful.
+    """
+
+    times: tuple[float, ...]
+    likeness: tuple[float, ...]
+    speed: float
+    period: float | None = None
+    loop: xr.Dataset | None = None
+    scatter: xr.Dataset | None = None
+    repeatability: dict[str, float] = field(default_factory=dict)
+    odd: tuple[int, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+def find_passages(
+    measured: xr.Dataset,
+    rig: Rig,
+    road: Road,
+    speed: float | str,
+    *,
+    sensors: Mapping[str, Sensor] | None = None,
+    channels: Sequence[str] | None = None,
+    name: str = "record",
+) -> Passages:
+    """Find where in a record the wheel meets the obstacles of a road, and average over the loops of a belt.
+
+    Parameters
+    ----------
+    measured : xarray.Dataset
+        Recording in SI on uniform time (s); channels that are also outputs of the model are used.
+    rig : Rig
+        The rig as set up for the trial; its values need not be right, only near.
+    road : Road
+        The obstacle or train; with ``recurrence``, the length of the belt (m), loops are looked for.
+    speed : float or str
+        Speed as stated, m/s.
+    sensors : mapping of str to Sensor, optional
+        Channel to sensor: the model's response goes through it.
+    channels : sequence of str, optional
+        Channels to use; all common ones by default.
+    name : str
+        Names the record in findings.
+
+    Returns
+    -------
+    Passages
+        Instants, speed, average and scatter.
+
+    Raises
+    ------
+    FitError
+        Where no place of the record looks like the response of the model, with what was looked for.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig, road = jn.load("kart-quarter-car"), jn.HalfSine(height="10 mm", length="60 mm", recurrence="1.97 m")
+    >>> late = road.model_copy(update={"start": 1.2})
+    >>> run = jn.simulate(rig, jn.Trial(road=late, speed="1.95 m/s", duration="4 s"))[["sprung.az", "unsprung.az"]]
+    >>> found = find_passages(run, rig, road, "2 m/s")
+    >>> [round(time, 3) for time in found.times], round(found.speed, 3)
+    ([0.615, 1.626, 2.636, 3.646], 1.95)
+    """
+    data = as_recording(measured, where=name)
+    velocity = positive_si(speed, "m/s", where="speed")
+    time = np.asarray(data["time"].to_numpy(), dtype=float)
+    step = float(time[-1] - time[0]) / (len(time) - 1)
+    expected = _response(rig, road, velocity, step, sensors or {})
+    names = [str(c) for c in data.data_vars if c in expected.signals and (channels is None or c in channels)]
+    if not names:
+        raise FitError(
+            "the recording holds no channel that the model gives",
+            where=name,
+            found=", ".join(map(str, data.data_vars)),
+            allowed=", ".join(expected.signals),
+        )
+    recorded = np.stack([data[c].to_numpy() for c in names])
+    ahead = round(expected.lead / step)
+    like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
+    at, sign = _peaks(like, power, step, expected.period)
+    if not len(at):
+        raise FitError(
+            "the obstacle is not found in the record",
+            where=name,
+            found=f"at best a correlation of {float(np.max(np.abs(like), initial=0.0)):.2f}",
+            allowed=f"{_LIKE:g} or more with the model's response to {_of(road)} at {velocity:.3g} m/s "
+            f"in {', '.join(names)}",
+            hint="Check speed, obstacle, columns and units; is it the record of another trial?",
+        )
+    onset = sign * _likeness(recorded, expected.window(names, expected.onset), ahead)[0]
+    samples = None if expected.period is None else expected.period / step
+    whole = np.arange(len(onset)) - ahead
+    surest = np.where((whole >= 0) & (whole <= len(time) - expected.onset), onset, -1.0)
+    at = _at_onset(onset, surest, at, expected.length - ahead, round(_NEAR / step), samples)
+    times = time[0] + step * (at - ahead + _fractions(onset, at)) + expected.lead
+    values = tuple(float(onset[i]) for i in at)
+    findings = list(_sign_finding(sign, names, name))
+    if road.recurrence is None or len(times) < 2:
+        return Passages(tuple(map(float, times)), values, velocity, findings=tuple(findings))
+    return _looped(data, names, times, values, road.recurrence, velocity, findings, name)
+
+
+# what is looked for ---------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Expected:
+    """The model's response: signals from ``lead`` (s) before the obstacle, at steps of the record."""
+
+    signals: dict[str, Array]
+    lead: float
+    length: int  # samples in which the response is that of all obstacles
+    onset: int  # samples up to the end of the first one
+    period: float | None
+
+    def window(self, names: Sequence[str], length: int) -> Array:
+        """Signals without their mean over the window, shape (names, length)."""
+        rows = np.stack([self.signals[name][:length] for name in names])
+        return np.asarray(rows - rows.mean(axis=1, keepdims=True))
+
+
+def _of(road: Road) -> str:
+    return f"{road.kind} of {road.end() - road.start:.3g} m"
+
+
+def _first(road: Road) -> float:
+    """Length (m) of the first obstacle."""
+    while isinstance(road, Train):
+        road = road.of
+    return road.end() - road.start
+
+
+def loops_before(rig: Rig, period: float) -> int:
+    """Loops of a belt (each of ``period`` s) after which nothing is left of a start from rest.
+
+    By the slowest decay of the rig's oscillations at rest.
+
+    >>> import jounce as jn
+    >>> loops_before(jn.load("kart-quarter-car"), 1.0)
+    2
+    """
+    poles = np.linalg.eigvals(linearise(rig).A)
+    swinging = poles[np.abs(poles.imag) > 1e-6]
+    decay = float(np.min(-swinging.real, initial=math.inf))
+    if not 0.0 < decay < math.inf:
+        return _MOST_LOOPS if decay <= 0.0 else 1
+    return int(np.clip(math.ceil(-math.log(_SETTLED) / (decay * period)), 1, _MOST_LOOPS))
+
+
+def running_trial(rig: Rig, road: Road, speed: float) -> tuple[Trial, float]:
+    """A trial on a belt that has been running, and the time (s) at which its last loop begins.
+
+    The obstacle of ``road`` begins :data:`LEAD` of its recurrence after each loop does.
+    """
+    assert road.recurrence is not None
+    period = road.recurrence / speed
+    loops = loops_before(rig, period)
+    shifted = road.model_copy(update={"start": LEAD * road.recurrence})
+    return Trial(road=shifted, speed=speed, duration=(loops + 1) * period), loops * period
+
+
+def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[str, Sensor]) -> _Expected:
+    length = road.end() - road.start
+    if road.recurrence is not None:
+        trial, begin = running_trial(rig, road, speed)
+        lead, period = LEAD * road.recurrence / speed, road.recurrence / speed
+        span = min(lead + length / speed + _AFTER, period)
+    else:
+        lead, period, begin = 0.02, None, 0.0
+        span = lead + length / speed + _AFTER
+        trial = Trial(road=road.model_copy(update={"start": lead * speed}), speed=speed, duration=span)
+    run = solved(rig, trial, RunSettings(step, 1e-4))
+    first = int(np.searchsorted(run.time, begin - 0.5 * step))
+    signals = {}
+    for name, (values, _, _) in run.channels.items():
+        seen = filter_signals(values, 1.0 / step, sensors[name], where=name) if name in sensors else values
+        signals[name] = seen[first:]
+    onset = min(lead + _first(road) / speed + _ONSET, span)
+    return _Expected(signals, lead, round(span / step), round(onset / step), period)
+
+
+# finding --------------------------------------------------------------------------------------------------------------
+
+
+def _likeness(recorded: Array, window: Array, ahead: int) -> tuple[Array, Array]:
+    """Correlation (1) of a window with a record, over all channels, and how much of the motion lies in it (1).
+
+    From ``ahead`` samples before the first one on. Each channel counts by its own size; what is constant within the
+    window counts in neither. A window that reaches beyond the record is compared where both are.
+    """
+    from scipy.signal import correlate
+
+    count = window.shape[1]
+    behind = count - 1 - min(count - 1, round(_FEWEST_SEEN * count))
+    products = energies = 0.0
+    for record, wanted in zip(recorded, window, strict=True):
+        if not np.any(wanted):
+            continue
+        inside = np.pad(np.ones(record.size), (ahead, behind))
+        scaled = np.pad((record - record.mean()) / (float(np.std(record)) or 1.0), (ahead, behind))
+        shape = wanted / math.sqrt(float(wanted @ wanted))
+        both = correlate(inside, np.ones(count), mode="valid", method="fft")
+        level = correlate(scaled, np.ones(count), mode="valid", method="fft") / both
+        power = correlate(scaled**2, np.ones(count), mode="valid", method="fft") - both * level**2
+        seen = correlate(inside, shape, mode="valid", method="fft")
+        size = correlate(inside, shape**2, mode="valid", method="fft") - seen**2 / both
+        products = products + correlate(scaled, shape, mode="valid", method="fft") - level * seen
+        energies = energies + np.sqrt(np.maximum(power, _QUIET * both) * np.maximum(size, 1e-6))
+    return np.asarray(products / energies), np.asarray(energies)
+
+
+_QUIET = 0.05
+"""Mean square of a window over that of the whole record, below which its noise is not taken for a response."""
+_FEWEST_SEEN = 0.15
+"""Share of a window that must lie within the record."""
+
+
+def _peaks(like: Array, power: Array, step: float, period: float | None) -> tuple[np.ndarray, int]:
+    """Samples at which passages begin, and the sign of all channels together.
+
+    A train looks much like itself a pitch later; what tells them apart is that the wheel moves within it and hardly
+    before and behind it, so likeness counts by the share of the motion that lies in the window.
+    """
+    from scipy.signal import find_peaks
+
+    sign = 1 if np.max(like * power) >= -np.min(like * power) else -1
+    score = sign * like * power
+    best = int(np.argmax(score))
+    if sign * like[best] < _LIKE:
+        return np.zeros(0, dtype=int), sign
+    if period is None:
+        return np.array([best]), sign
+    padded = np.concatenate([[-1.0], score, [-1.0]])
+    at, _ = find_peaks(padded, height=_SHARE * score[best], distance=max(1, round(_APART * period / step)))
+    at = at - 1
+    return at[sign * like[at] >= _LIKE * _SHARE], sign
+
+
+_SHARE = 0.6
+"""Share of the best score from which on another place is a passage, too."""
+
+
+def _at_onset(
+    onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None
+) -> np.ndarray:
+    """Move passages to where the record begins to look like the response to the first obstacle, evenly apart.
+
+    What follows in a train depends too much on masses and damping. From the surest passage on, the next ones are looked
+    for a period (samples) before and behind it, so that none is missed at the ends and none is found between. ``whole``
+    is the likeness where the window lies within the record.
+    """
+    surest = max((_best(whole, int(i), reach) for i in at), key=lambda i: float(whole[i]))
+    if period is None:
+        return np.array([surest])
+    if len(at) > 2:
+        period, wide = float(np.median(np.diff(at))), near
+    else:
+        wide = max(near, round(_SLIPS * period))
+    found = {0: surest}
+    for way in (1, -1):
+        number, last, step, around = 0, float(surest), way * period, wide
+        while 0 <= last + step < len(onset):
+            number, last = number + way, last + step
+            i = _best(onset, round(last), around)
+            if onset[i] >= _SURE:
+                if number - way in found:  # follow the speed of the belt
+                    step = i - found[number - way]
+                found[number], last, around = i, float(i), near
+    return np.array([found[number] for number in sorted(found)])
+
+
+_SURE = 0.7
+"""Correlation with the onset from which on a passage counts that was expected there."""
+
+
+def _best(onset: Array, i: int, reach: int) -> int:
+    first = max(i - reach, 0)
+    return first + int(np.argmax(onset[first : i + reach + 1]))
+
+
+def _fractions(like: Array, at: np.ndarray) -> Array:
+    """Where between samples the correlation is greatest: a parabola through three of them."""
+    fraction = np.zeros(len(at))
+    for k, i in enumerate(at):
+        if 0 < i < len(like) - 1:
+            left, middle, right = like[i - 1 : i + 2]
+            bend = left - 2.0 * middle + right
+            fraction[k] = 0.5 * (left - right) / bend if bend < 0.0 else 0.0
+    return np.clip(fraction, -0.5, 0.5)
+
+
+def _sign_finding(sign: int, names: Sequence[str], where: str) -> list[Finding]:
+    if sign > 0:
+        return []
+    text = "the record is the model's response upside down; is a sensor mounted the other way (orientation = -1)?"
+    return [Finding(f"{where}: {', '.join(names)}", "warning", text)]
+
+
+# loops ----------------------------------------------------------------------------------------------------------------
+
+
+def _looped(
+    data: xr.Dataset,
+    names: Sequence[str],
+    times: Array,
+    likeness: tuple[float, ...],
+    belt: float,
+    stated: float,
+    findings: list[Finding],
+    where: str,
+) -> Passages:
+    """Speed, average and scatter of a record with several passages."""
+    periods = np.diff(times)
+    usual = float(np.median(periods))
+    whole = np.maximum(np.round(periods / usual), 1.0)  # a passage between them may not have been recognised
+    period = float((times[-1] - times[0]) / whole.sum())
+    speed = belt / period
+    if abs(speed / stated - 1.0) > _SLIPS:
+        text = (
+            f"passages come every {period:.4g} s, which is {speed:.4g} m/s on a belt of {belt:.4g} m; "
+            f"stated are {stated:.4g} m/s. Check the belt's length, and whether the records of trials were exchanged"
+        )
+        findings.append(Finding(where, "warning", text, speed))
+    time = np.asarray(data["time"].to_numpy(), dtype=float)
+    step = float(time[-1] - time[0]) / (len(time) - 1)
+    count = max(round(period / step), 8)
+    loops, begun = _cut(data, names, time, times[:-1][whole == 1.0], periods[whole == 1.0], count, LEAD * period)
+    if len(loops) < 2:
+        return Passages(tuple(map(float, times)), likeness, speed, period, findings=tuple(findings))
+    kept = _alike(loops)
+    odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~kept))
+    if odd:
+        text = (
+            f"passage{'s' * (len(odd) > 1)} {', '.join(map(str, odd))} of {len(times)} "
+            f"{'are' if len(odd) > 1 else 'is'} unlike the others and left out of the average"
+        )
+        findings.append(Finding(where, "warning", text, float(len(odd))))
+    mean, scatter = loops[kept].mean(axis=0), loops[kept].std(axis=0, ddof=1)
+    clock = np.arange(count) * (period / count)
+
+    def recorded(values: Array) -> xr.Dataset:
+        channels = {
+            name: (row, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", "")))
+            for name, row in zip(names, values, strict=True)
+        }
+        return recording_of(clock, channels, attributes={"passages": int(kept.sum())})
+
+    size = np.sqrt(np.mean((mean - mean.mean(axis=1, keepdims=True)) ** 2, axis=1))
+    spread = np.sqrt(np.mean(scatter**2, axis=1))
+    repeat = {name: float(s / m) if m > 0.0 else math.inf for name, s, m in zip(names, spread, size, strict=True)}
+    return Passages(
+        tuple(map(float, times)), likeness, speed, period, recorded(mean), recorded(scatter), repeat, odd, tuple(findings)
+    )
+
+
+def _cut(
+    data: xr.Dataset, names: Sequence[str], time: Array, starts: Array, periods: Array, count: int, lead: float
+) -> tuple[Array, Array]:
+    """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and their numbers."""
+    from scipy.interpolate import CubicSpline
+
+    signals = CubicSpline(time, np.stack([data[name].to_numpy() for name in names], axis=1))
+    loops, numbers = [], []
+    for number, (start, period) in enumerate(zip(starts, periods, strict=True)):
+        begin = start - lead
+        if begin >= time[0] and begin + period <= time[-1]:
+            loops.append(signals(begin + period * np.arange(count) / count).T)
+            numbers.append(number)
+    return np.array(loops), np.array(numbers, dtype=int)
+
+
+def _alike(loops: Array) -> np.ndarray:
+    """Which loops are like the median of all."""
+    middle = np.median(loops, axis=0)
+    size = np.std(middle, axis=1)[:, None]
+    away = np.sqrt(np.mean(((loops - middle) / np.where(size > 0.0, size, 1.0)) ** 2, axis=(1, 2)))
+    usual = float(np.median(away))
+    spread = 1.4826 * float(np.median(np.abs(away - usual)))
+    return away <= usual + _ODD * max(spread, 0.1 * usual)
+
+
+def averaged_trial(trial: FitTrial, found: Passages) -> FitTrial:
+    """Give the trial with the averaged loop in place of the record: the belt has been running, at the speed found."""
+    road = trial.trial.road
+    if found.loop is None or road is None or road.recurrence is None:
+        raise FitError("no loop of a belt was found", where=trial.name)
+    driven, begin = running_trial(trial.rig, road, found.speed)
+    loop = found.loop.assign_coords(time=("time", found.loop["time"].to_numpy() + begin, {"units": "s"}))
+    return FitTrial(trial.name, trial.rig, driven, loop, trial.sensors, trial.added, trial.wheel_load)

@@ -1,0 +1,215 @@
+"""Speed from the pulses of a photo sensor or a toothed wheel: marks counted, missing and double ones found."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.core.findings import Finding
+from jounce.core.samples import as_samples
+from jounce.core.shown import Shown
+from jounce.core.types import Array
+from jounce.core.units import positive_si
+
+FEWEST_PULSES = 4
+"""Three periods: with fewer a missing pulse cannot be told from a slow turn."""
+_HYSTERESIS = 0.25
+"""Share of the height of the pulses around their middle within which noise makes no edge."""
+_LEAST_CONTRAST = 4.0
+"""Height of the pulses over the scatter of the signal between them, below which nothing can be counted."""
+_PLAUSIBLE = 150.0
+"""Speed (m/s) beyond which no belt and no wheel runs: the same as for channels of speed."""
+
+
+@dataclass(frozen=True)
+class PulseSpeed(Shown):
+    """Speed found from pulses.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        Instants of the pulses, s; double ones are left out.
+    distance : ndarray, shape (n,)
+        Distance travelled at each of them, m, 0 at the first; across a missing pulse it goes on.
+    speed : ndarray, shape (n,)
+        Speed at each of them, over one turn, m/s.
+    mean : float
+        Distance over time of the whole record, m/s.
+    resolution : float
+        Standard deviation (m/s) that sampling and jitter give ``speed``.
+    variation : float
+        Standard deviation (m/s) of ``speed`` around its mean.
+    missing, doubled : int
+        Pulses that were not seen, and those that were seen twice.
+    findings : tuple of Finding
+        Missing and double pulses, and a speed that varies.
+    """
+
+    time: Array
+    distance: Array
+    speed: Array
+    mean: float
+    resolution: float
+    variation: float
+    missing: int
+    doubled: int
+    findings: tuple[Finding, ...] = ()
+
+
+def pulse_speed(
+    time: ArrayLike,
+    signal: ArrayLike,
+    *,
+    per_turn: int,
+    radius: float | str,
+    where: str = "pulses",
+) -> PulseSpeed:
+    """Find the speed of a belt or wheel from a pulse signal.
+
+    Edges are counted, not periods: over one turn of the cylinder, so that marks at uneven distances cancel out and
+    sampling costs little.
+
+    Parameters
+    ----------
+    time : array_like, shape (n,)
+        Instants of the samples, s, at constant steps.
+    signal : array_like, shape (n,)
+        Voltage of the sensor, or any signal that changes between two levels at each mark.
+    per_turn : int
+        Pulses a turn.
+    radius : float or str
+        Radius at which the speed counts, m: of the cylinder with half the thickness of the belt on it.
+    where : str
+        Names the signal in errors and findings.
+
+    Returns
+    -------
+    PulseSpeed
+        Speed over time.
+
+    Raises
+    ------
+    RecordingError
+        Where the signal has no two levels, fewer than four pulses, or a speed that no bench reaches.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> time = np.arange(4000) / 2000.0
+    >>> seen = np.mod(10.0 * time, 1.0) < 0.02   # ten pulses a second
+    >>> found = pulse_speed(time, 5.0 * seen, per_turn=2, radius="50 mm")
+    >>> round(found.mean, 3), found.missing, found.doubled
+    (1.571, 0, 0)
+    """
+    at = as_samples(time, "s", where=f"{where}: time")
+    circumference = 2.0 * math.pi * positive_si(radius, "m", where=f"{where}: radius")
+    if per_turn < 1:
+        raise RecordingError("not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more")
+    seen = edges(at, as_samples(signal, where=where), where=where)
+    marks, kept, doubled = _numbered(seen)
+    seen, missing = seen[kept], int(marks[-1] + 1 - len(marks))
+    distance = circumference / per_turn * marks
+    mean = float(distance[-1] / (seen[-1] - seen[0]))
+    if mean > _PLAUSIBLE:
+        raise RecordingError(
+            "a speed that no bench reaches",
+            where=where,
+            found=f"{mean:.4g} m/s",
+            allowed=f"up to {_PLAUSIBLE:g} m/s",
+            hint="Check radius, pulses a turn and the step of the samples.",
+        )
+    speed = _over_a_turn(seen, distance, per_turn)
+    step = float(at[1] - at[0])
+    span = max(per_turn, 1) * circumference / per_turn / mean
+    resolution = mean * step / math.sqrt(6.0) / span
+    variation = float(speed.std())
+    findings = _findings(missing, doubled, len(marks), variation, resolution, mean, where)
+    return PulseSpeed(seen, distance, speed, mean, resolution, variation, missing, doubled, tuple(findings))
+
+
+def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
+    """Instants (s) at which a signal rises from its lower to its upper level, along straight lines between samples."""
+    low, high = float(signal.min()), float(signal.max())
+    middle, height = 0.5 * (low + high), high - low
+    below = signal[signal < middle]
+    scatter = 1.4826 * float(np.median(np.abs(below - np.median(below)))) if below.size else 0.0
+    if height <= 0.0 or height < _LEAST_CONTRAST * scatter:
+        raise RecordingError(
+            "no pulses: the signal has no two levels",
+            where=where,
+            found=f"{low:.4g} to {high:.4g}",
+            hint="Was the sensor connected, and is this its column?",
+        )
+    upper, lower = middle + _HYSTERESIS * height, middle - _HYSTERESIS * height
+    level = np.where(signal > upper, 1, np.where(signal < lower, -1, 0))
+    known = np.flatnonzero(level)
+    rising = np.flatnonzero((level[known[1:]] > 0) & (level[known[:-1]] < 0))
+    after = known[rising + 1]
+    before = known[rising]
+    for i in range(len(after)):  # the two samples between which it crosses the middle
+        inside = np.flatnonzero(signal[before[i] : after[i] + 1] >= middle)
+        after[i] = before[i] + inside[0]
+    share = (middle - signal[after - 1]) / (signal[after] - signal[after - 1])
+    instants = time[after - 1] + share * (time[after] - time[after - 1])
+    if len(instants) < FEWEST_PULSES:
+        raise RecordingError(
+            "too few pulses",
+            where=where,
+            found=len(instants),
+            allowed=f"at least {FEWEST_PULSES}",
+            hint="Record longer, or put more marks on the cylinder.",
+        )
+    return np.asarray(instants, dtype=float)
+
+
+def _numbered(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
+    """Numbers of the marks that were seen, which of the edges count, and how many were double."""
+    usual = float(np.median(np.diff(seen)))
+    kept = np.ones(len(seen), dtype=bool)
+    last = 0
+    for i in range(1, len(seen)):  # an edge less than half a period behind the last one is the same mark again
+        if seen[i] - seen[last] < 0.5 * usual:
+            kept[i] = False
+        else:
+            last = i
+    periods = np.diff(seen[kept])
+    local = _running_median(periods)
+    marks = np.concatenate([[0.0], np.cumsum(np.maximum(np.round(periods / local), 1.0))])
+    return marks, kept, int(np.count_nonzero(~kept))
+
+
+_WINDOW = 9  # periods: an odd number whose middle one a speed that changes, or a gap, does not move
+
+
+def _running_median(values: Array) -> Array:
+    width = min(_WINDOW, len(values) - (len(values) + 1) % 2)
+    padded = np.pad(values, width // 2, mode="reflect" if width // 2 < len(values) else "edge")
+    return np.asarray(np.median(np.lib.stride_tricks.sliding_window_view(padded, width), axis=1)[: len(values)])
+
+
+def _over_a_turn(seen: Array, distance: Array, per_turn: int) -> Array:
+    """Speed at each pulse: distance over time from half a turn before it to half a turn behind it."""
+    half = max(per_turn // 2, 1)
+    index = np.arange(len(seen))
+    first, last = np.clip(index - half, 0, None), np.clip(index + half, None, len(seen) - 1)
+    return np.asarray((distance[last] - distance[first]) / (seen[last] - seen[first]))
+
+
+_VARIES = 3.0  # resolutions: what sampling alone exceeds in one of 400 records
+
+
+def _findings(
+    missing: int, doubled: int, count: int, variation: float, resolution: float, mean: float, where: str
+) -> list[Finding]:
+    found = []
+    if missing or doubled:
+        text = f"{missing} of {count + missing} pulses are missing and {doubled} were seen twice; both were corrected"
+        found.append(Finding(where, "warning" if missing > 0.1 * count else "note", text, float(missing)))
+    if variation > _VARIES * resolution and variation > 0.002 * mean:
+        text = f"the speed varies by {100.0 * variation / mean:.2g} % (standard deviation) about {mean:.4g} m/s"
+        found.append(Finding(where, "note", text, variation))
+    return found
