@@ -18,6 +18,7 @@ from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
 from jounce.recordings.carried import as_recording
 from jounce.recordings.clocks import by_clock, is_steady, lower_rate_finding, rate_of
+from jounce.recordings.conditioning import conditioned, electrical_columns
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
 from jounce.recordings.reader import ReaderOptions, SignalTable
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from jounce.recordings.sensors import Sensor
+
 Columns = Mapping[str, str] | str | None
 
 
@@ -41,6 +44,7 @@ def read_recording(
     variable: str = "",
     resample: float | str | None = None,
     database: Path | str | None = None,
+    sensors: Mapping[str, Sensor] | None = None,
 ) -> tuple[xr.Dataset, list[Finding]]:
     r"""Read a measured or simulated recording, whatever its format, units and column order.
 
@@ -97,6 +101,11 @@ def read_recording(
         import xarray  # noqa: F401
     signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
+    mapping |= {
+        name: column
+        for name, column in electrical_columns(sensors or {}).items()
+        if name not in mapping and any(_is_home(table, column) for table in signals.tables)
+    }
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     recorded = _own_time(signals, mapping) if given_step is not None else None
@@ -170,6 +179,9 @@ def read_recording(
     run = recording_of(time, channels, attributes=attributes)
     for name, rate in rates.items():
         run[name].attrs["recorded_rate"] = rate
+    if sensors:
+        run, more = conditioned(run, sensors, where=str(file))
+        findings += more
     return run, findings
 
 

@@ -15,6 +15,8 @@ from jounce.core.units import PositiveTime
 if TYPE_CHECKING:
     import xarray as xr
 
+    from jounce.recordings.sensors import Sensor
+
 
 class TableFormat(Description):
     """Keys of files with columns: ``columns`` and ``variable`` as in `read_columns`."""
@@ -44,11 +46,12 @@ class RecordingFormat(TableFormat):
 
         return read_recording(
             file,
-            columns=self.columns or None,
+            columns={**(columns or {}), **self.columns} or None,
             sample_time=self.sample_time,
             variable=self.variable,
             resample=self.resample,
             database=folder / self.database if self.database else None,
+            sensors=sensors,
         )
 
     def signal(self, file: Path, folder: Path, channel: str) -> tuple[Array, Array, list[Finding]]:

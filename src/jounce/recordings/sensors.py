@@ -156,11 +156,6 @@ def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") ->
     return np.array(sections, dtype=float).reshape(-1, 6)
 
 
-<<<<<<< HEAD
-def _low_pass(corner: float) -> list[float]:
-    """Second-order Butterworth low pass as a section; ``corner`` in radians per sample."""
-    if corner < _SLOW:
-=======
 def _pole_angles(order: int) -> list[float]:
     """Angles (rad) of the pole pairs of a Butterworth filter from the real axis; 0 for a single real pole."""
     half = math.pi / (2.0 * order)
