@@ -34,7 +34,7 @@ from jounce.inspection.quarter_car import road_poles, road_polynomial
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import with_strut_angle
-from jounce.recordings import channel_unit
+from jounce.recordings import Sensor, channel_unit
 from jounce.recordings.formats import TableFormat
 from jounce.simulation import linearise
 
@@ -154,14 +154,16 @@ class Characterisation(Shown):
     loaded: dict[str, list[ForceDeflectionTrial]] = field(default_factory=dict)
 
 
-def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation, Knowledge]:
+def characterise(
+    rig: Rig, bench: Bench, folder: Path, sensors: Mapping[str, Sensor] | None = None
+) -> tuple[Characterisation, Knowledge]:
     """Evaluate all bench tables (files relative to ``folder``); give results and the rig with what was measured."""
     found = Characterisation()
     knowledge = Knowledge(rig)
     steps: list[tuple[Callable[..., Knowledge], str, Any]] = [
         (_spring, "bench.spring", bench.spring),
         (_tyre, "bench.tyre", bench.tyre),
-        (_decay, "bench.decay", bench.decay),
+        (partial(_decay, sensors=sensors), "bench.decay", bench.decay),
     ]
     for step, place, table in steps:
         if not table:
@@ -367,7 +369,13 @@ def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
     return {"curve": result.curve.to_table(result.fitted_range[1])}
 
 
-def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, folder: Path) -> Knowledge:
+def _decay(
+    found: Characterisation,
+    knowledge: Knowledge,
+    table: DecayBench,
+    folder: Path,
+    sensors: Mapping[str, Sensor] | None = None,
+) -> Knowledge:
     """Damping at the strut from free decays of the sprung mass.
 
     With the hub blocked the decay sees the wheel-referred damping ``c_w = c r^2`` (motion ratio ``r``, lumped
@@ -381,7 +389,7 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     results = []
     check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
     for file in files_of(table.files, folder, "bench.decay"):
-        data, notes = table.read(file, folder)
+        data, notes = table.read(file, folder, sensors)
         data = compression_positive(data, table.stroke_positive, None)
         found.findings += notes
         if table.channel not in data:

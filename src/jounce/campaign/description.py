@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
+from jounce.campaign.belt import Belt, Passage
 from jounce.core.description import Description, Whole, read_description
 from jounce.core.units import NonNegativeLength, NonNegativeMass, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
@@ -91,6 +92,9 @@ class TrialEntry(RecordingFormat):
 
     number: Whole
     speed: PositiveSpeed | None = None
+    from_: PlainTime | None = Field(default=None, alias="from")
+    to: PlainTime | None = None
+    passage: Passage = "all"
     road: str | None = None
     excitation: AnExcitation = None
     actuator_force: AnInput = None
@@ -109,8 +113,8 @@ class TrialEntry(RecordingFormat):
     def _road_or_excitation(self) -> TrialEntry:
         if (self.excitation is None) == (self.road is None):
             raise ValueError("give either road and speed, or excitation")
-        if self.road is not None and self.speed is None:
-            raise ValueError("the speed is missing; a road is driven over at a speed")
+        if self.from_ is not None and self.to is not None and self.to <= self.from_:
+            raise ValueError(f"from ({self.from_:g} s) is not before to ({self.to:g} s)")
         return self
 
 
@@ -139,6 +143,7 @@ class Campaign(Description):
     estimated: tuple[str, ...] = ()
     rig: str
     bench: Bench = Bench()
+    belt: Belt | None = None
     sensors: dict[str, Sensor] = {}
     doubt: Doubt = Doubt()
     roads: dict[str, Any] = {}
@@ -147,6 +152,13 @@ class Campaign(Description):
 
     @model_validator(mode="after")
     def _consistent(self) -> Campaign:
+        has_pulses = self.belt is not None and self.belt.has_pulses
+        for entry in self.trial:
+            if entry.road is not None and entry.speed is None and not has_pulses:
+                raise ValueError(
+                    f"the speed of trial {entry.number} is missing; a road is driven over at a speed, or [belt] has "
+                    "radius, pulses and column"
+                )
         numbers = [entry.number for entry in self.trial]
         twice = {number for number in numbers if numbers.count(number) > 1}
         if twice:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from jounce.campaign.belt import PULSES, TrialOnBelt, placed, with_recurrence
 from jounce.campaign.characterise import (
     SPRUNG_MASS,
     Characterisation,
@@ -49,6 +50,8 @@ from jounce.parts.files import rig_named_in
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
 from jounce.recordings.plausibility import SLOWEST_STEP
+from jounce.recordings.pulses import PulseSpeed
+from jounce.recordings.quality import FEWEST_SAMPLES
 from jounce.recordings.sensors import check_sensors
 from jounce.roads import Excitation, Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
@@ -65,6 +68,8 @@ class _Loaded:
     entry: TrialEntry
     trial: Trial
     measured: xr.Dataset
+    pulses: PulseSpeed | None = None
+    facts: TrialOnBelt | None = None
 
 
 def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -> CampaignResult:
@@ -131,11 +136,12 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
     for check in checks_of(campaign, rig, file):
         findings += check()
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
-    bench, knowledge = characterise(rig, campaign.bench, file.parent)
+    bench, knowledge = characterise(rig, campaign.bench, file.parent, campaign.sensors)
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
     runner.truth = _truth(campaign, file.parent, findings)
+    runner.place_trials(knowledge)
     runner.decide_datums(knowledge)
     return runner, rig, knowledge
 
@@ -235,7 +241,7 @@ def _load_trials(
     for entry in campaign.trial:
         place = f"trial {entry.number}"
         try:
-            loaded[entry.number], notes = load_trial(entry, roads, folder)
+            loaded[entry.number], notes = load_trial(entry, roads, folder, campaign)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             findings.append(finding("campaign.trial_left_out", place, error=reason(error)))
         else:
@@ -243,17 +249,43 @@ def _load_trials(
     return loaded
 
 
-def load_trial(entry: TrialEntry, roads: Mapping[str, Road], folder: Path) -> tuple[_Loaded, list[Finding]]:
+def load_trial(
+    entry: TrialEntry, roads: Mapping[str, Road], folder: Path, campaign: Campaign | None = None
+) -> tuple[_Loaded, list[Finding]]:
     """Read what a trial needs, and refuse what cannot be compared with a simulation."""
-    measured, notes = entry.read(folder / entry.recording, folder)
+    belt, sensors = (None, {}) if campaign is None else (campaign.belt, campaign.sensors)
+    measured, notes = entry.read(folder / entry.recording, folder, sensors, belt.columns() if belt else None)
     measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
+    measured = _window(measured, entry)
     duration = entry.duration or float(measured["time"][-1])
     known = _inputs_of(entry, folder, notes)
+    pulses = belt.speed(measured, entry.recording) if belt else None
     if entry.road is not None:
-        known = {"road": roads[entry.road], "speed": entry.speed, **known}
+        speed = entry.speed
+        if belt and pulses:
+            notes += pulses.findings
+            speed = speed or pulses.mean * (1.0 - belt.slip)
+        known = {"road": with_recurrence(roads[entry.road], belt), "speed": speed, **known}
     trial = Trial(duration=duration, **known)
     _check_length(trial, measured)
-    return _Loaded(entry, trial, measured.sel(time=slice(None, duration))), notes
+    measured = measured.drop_vars(PULSES, errors="ignore").sel(time=slice(None, duration))
+    return _Loaded(entry, trial, measured, pulses), notes
+
+
+def _window(measured: xr.Dataset, entry: TrialEntry) -> xr.Dataset:
+    """The part of a record that counts; its time begins at 0 there."""
+    if entry.from_ is None and entry.to is None:
+        return measured
+    part = measured.sel(time=slice(entry.from_, entry.to))
+    if part.sizes["time"] < FEWEST_SAMPLES:
+        raise FitError(
+            "nothing of the record lies between from and to",
+            where="from, to",
+            found=f"{part.sizes['time']} samples",
+            allowed=f"between {float(measured['time'][0]):.4g} and {float(measured['time'][-1]):.4g} s",
+        )
+    time = part["time"]
+    return part.assign_coords(time=("time", time.to_numpy() - float(time[0]), time.attrs))
 
 
 def _inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
@@ -316,6 +348,25 @@ class Runner:
         added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
         return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load)
+
+    def place_trials(self, knowledge: Knowledge) -> None:
+        """Find where each record meets its obstacle, and let the model meet it then; see `jounce.campaign.belt`."""
+        for number, item in list(self.loaded.items()):
+            if item.entry.road is None:
+                continue
+            name = f"trial {number}"
+            try:
+                trial, facts = placed(
+                    self.fit_trial(item, knowledge), self.campaign.belt, item.entry.speed, item.entry.passage, item.pulses
+                )
+            except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+                self.findings.append(finding("campaign.trial_left_out", name, error=reason(error)))
+                del self.loaded[number]
+                continue
+            if facts is not None:
+                self.sensors[number] = trial.sensors
+                self.loaded[number] = replace(item, trial=trial.trial, measured=trial.measured, facts=facts)
+                self.findings += [at_place(f"{name}: {item.place}", item) for item in facts.findings]
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""

@@ -245,7 +245,7 @@ def _check_campaign(check: FileCheck) -> None:
                 if entry.road is not None and roads.get(entry.road) is None:
                     entry.read(folder / entry.recording, folder)  # that of its road is said
                 else:
-                    load_trial(entry, roads, folder)
+                    load_trial(entry, roads, folder, campaign)
             except JounceError as error:
                 raise RecordingError(f"{place}: {error}") from None
     bench = campaign.bench

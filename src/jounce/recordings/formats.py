@@ -40,8 +40,17 @@ class RecordingFormat(TableFormat):
     resample: PositiveTime | None = None
     database: str = ""
 
-    def read(self, file: Path, folder: Path) -> tuple[xr.Dataset, list[Finding]]:
-        """Read a recording; a relative database path starts at the folder of the description."""
+    def read(
+        self,
+        file: Path,
+        folder: Path,
+        sensors: Mapping[str, Sensor] | None = None,
+        columns: Mapping[str, str] | None = None,
+    ) -> tuple[xr.Dataset, list[Finding]]:
+        """Read a recording; the database is relative to the folder of the description.
+
+        ``columns`` are others than those of the description.
+        """
         from jounce.recordings.files import read_recording
 
         return read_recording(

@@ -287,7 +287,7 @@ def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tup
     found = []
     try:
         for file in files_of(table.files, result.folder, "report"):
-            recording, _ = table.read(file, result.folder)
+            recording, _ = table.read(file, result.folder, result.campaign.sensors)
             recording = compression_positive(recording, table.stroke_positive, None)
             found.append((file.name, recording["time"].to_numpy(), recording[table.channel].to_numpy()))
     except (JounceError, KeyError):

@@ -1,0 +1,247 @@
+"""Trials on a belt that has been running: speed from pulses, passages found, loops averaged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Literal
+
+import numpy as np
+import xarray as xr
+from pydantic import Field
+
+from jounce.core.description import Description, Whole
+from jounce.core.errors import FitError, JounceError
+from jounce.core.findings import Finding
+from jounce.core.shown import Shown
+from jounce.core.units import NonNegativeLength, PositiveLength, Unit
+from jounce.identify.fit_problem import FitTrial
+from jounce.identify.passages import Passages, averaged_trial, find_passages
+from jounce.recordings.pulses import PulseSpeed, pulse_speed
+from jounce.recordings.sensors import Sensor
+from jounce.roads import Road
+
+Passage = Whole | Literal["all"]
+PULSES = "belt.voltage"
+"""Channel that holds the pulses of the photo sensor."""
+_MET_AS_STATED = 0.02
+"""Seconds by which the obstacle may be met earlier or later than the road says: what the alignment of a fit takes."""
+_SLIP_BEYOND = 0.005
+"""Share by which the speed from recurrence may differ from that of the pulses before slip is said: what radius and
+length of a belt are known to."""
+
+_LARGEST_SLIP = 0.1
+"""Share that a flat belt slips by at most without being seen or heard."""
+
+
+class Belt(Description):
+    """The belt of the bench.
+
+    Attributes
+    ----------
+    length : float
+        Length of the loop, m: the obstacle comes again each time it has been driven.
+    radius : float or None
+        Radius of the cylinder that carries the marks, m.
+    thickness : float
+        Thickness of the belt, m; half of it adds to the radius.
+    pulses : int or None
+        Pulses of the photo sensor a turn of the cylinder.
+    column : str
+        Column of the pulses in the trials' files, e.g. ``"ch2 [V]"``.
+    slip : float
+        Share (1) by which the belt is slower than its cylinder, for trials in which the obstacle passes only once.
+
+    Examples
+    --------
+    >>> Belt(length="1.97 m", radius="50 mm", thickness="3 mm", pulses=12, column="ch2").pitch_radius
+    0.0515
+    """
+
+    length: PositiveLength
+    radius: PositiveLength | None = None
+    thickness: NonNegativeLength = 0.0
+    pulses: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
+    column: str = ""
+    slip: Annotated[float, Unit("1", at_least=0.0, at_most=0.5)] = 0.0
+
+    @property
+    def pitch_radius(self) -> float | None:
+        """Radius at which the belt runs, m; None where that of the cylinder is not known."""
+        return None if self.radius is None else self.radius + 0.5 * self.thickness
+
+    @property
+    def has_pulses(self) -> bool:
+        """Whether a trial's speed follows from its pulses."""
+        return bool(self.column and self.pulses and self.radius)
+
+    def columns(self) -> dict[str, str]:
+        """Where the pulses are, as ``columns`` of a recording."""
+        if not self.column:
+            return {}
+        return {PULSES: self.column if self.column.rstrip().endswith("]") else f"{self.column} [V]"}
+
+    def speed(self, measured: xr.Dataset, where: str) -> PulseSpeed | None:
+        """Speed of the cylinder's surface in a record; None without pulses."""
+        radius = self.pitch_radius
+        if not self.has_pulses or PULSES not in measured or radius is None or self.pulses is None:
+            return None
+        time, signal = measured["time"].to_numpy(), measured[PULSES].to_numpy()
+        return pulse_speed(time, signal, per_turn=self.pulses, radius=radius, where=where)
+
+
+@dataclass(frozen=True)
+class TrialOnBelt(Shown):
+    """What was found of one trial's belt and passages.
+
+    Attributes
+    ----------
+    noted : float or None
+        Speed as the campaign states it, m/s.
+    pulses : float or None
+        Speed from the pulses, m/s.
+    speed : float
+        Speed that the model drives, m/s: from the recurrence of the obstacle where it passes more than once.
+    slip : float or None
+        Share (1) by which the belt is slower than its cylinder.
+    passages : Passages
+        Where the obstacle was met.
+    """
+
+    noted: float | None
+    pulses: float | None
+    speed: float
+    slip: float | None
+    passages: Passages
+    findings: tuple[Finding, ...] = field(default=())
+
+
+def with_recurrence(road: Road, belt: Belt | None) -> Road:
+    """The road with the belt's length as its recurrence, unless it states one.
+
+    >>> from jounce.roads import HalfSine
+    >>> with_recurrence(HalfSine(height="10 mm", length="60 mm"), Belt(length="1.97 m")).recurrence
+    1.97
+    """
+    if belt is None or road.recurrence is not None or road.is_course():
+        return road
+    given = {name: getattr(road, name) for name in road.model_fields_set}
+    return type(road).model_validate({**given, "recurrence": belt.length})
+
+
+def placed(
+    trial: FitTrial, belt: Belt | None, noted: float | None, passage: Passage, pulses: PulseSpeed | None
+) -> tuple[FitTrial, TrialOnBelt | None]:
+    """Give a trial whose model meets the obstacle when the record does.
+
+    On a belt the record is the average of its loops (``passage="all"``), or one of them, and the model has been
+    running. Without a belt the obstacle is moved to where the record meets it, where that is not where the road says.
+
+    Raises
+    ------
+    FitError
+        Where the obstacle is not found, or the passage that is asked for does not exist.
+    """
+    road = trial.trial.road
+    assert road is not None
+    assert trial.trial.speed is not None
+    channels = _compared(trial)
+    if road.recurrence is None:
+        return _moved(trial, noted, channels)
+    found = find_passages(
+        trial.measured, trial.rig, road, trial.trial.speed, sensors=trial.sensors, channels=channels, name=trial.name
+    )
+    if passage != "all":
+        found = _only(found, passage, trial, channels)
+    if found.loop is None:
+        raise FitError(
+            "the obstacle passes only once in full",
+            where=trial.name,
+            found=f"met at {', '.join(f'{time:.3g} s' for time in found.times)}",
+            hint="Record at least two loops of the belt, or leave [belt] out: the trial then starts at rest.",
+        )
+    slip = None if pulses is None else 1.0 - found.speed / pulses.mean
+    facts = TrialOnBelt(
+        noted, None if pulses is None else pulses.mean, found.speed, slip, found, tuple(_speed_findings(noted, slip, found))
+    )
+    sensors = {name: _with_free_zero(trial.sensors.get(name)) for name in map(str, found.loop.data_vars)}
+    return averaged_trial(replace(trial, sensors={**trial.sensors, **sensors}), found), facts
+
+
+def _compared(trial: FitTrial) -> list[str]:
+    return [str(name) for name in trial.measured.data_vars if str(name) != PULSES]
+
+
+def _with_free_zero(sensor: Sensor | None) -> Sensor:
+    """Nothing is at rest in a loop that could tell where zero lies."""
+    sensor = sensor or Sensor()
+    return sensor if sensor.datum is not None else sensor.model_copy(update={"datum": "free offset"})
+
+
+def _speed_findings(noted: float | None, slip: float | None, found: Passages) -> list[Finding]:
+    findings = list(found.findings)
+    if slip is not None and abs(slip) > _SLIP_BEYOND:
+        text = (
+            f"the belt is {100.0 * abs(slip):.2g} % {'slower' if slip > 0.0 else 'faster'} than its cylinder: "
+            f"{found.speed:.4g} m/s by the recurrence of the obstacle"
+        )
+        if 0.0 < slip < _LARGEST_SLIP:
+            findings.append(Finding("speed", "note", text, slip))
+        else:
+            findings.append(Finding("speed", "warning", f"{text}; check radius, thickness and pulses a turn", slip))
+    if noted is not None and abs(found.speed / noted - 1.0) > 0.01:
+        text = f"noted are {noted:.4g} m/s; the obstacle comes again every {found.period:.4g} s, at {found.speed:.4g} m/s"
+        findings.append(Finding("speed", "warning", f"{text}, which the model drives", found.speed))
+    return findings
+
+
+def _only(found: Passages, passage: int, trial: FitTrial, channels: list[str]) -> Passages:
+    """The same passages with the loop of one of them in place of the average."""
+    if not 1 <= passage <= len(found.times) - 1 or found.period is None:
+        raise FitError(
+            "no such passage",
+            where=f"{trial.name}: passage",
+            found=passage,
+            allowed=f"1 to {len(found.times) - 1}: those whose loop is whole",
+        )
+    first = found.times[passage - 1]
+    last = found.times[passage]
+    time = trial.measured["time"].to_numpy()
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    from jounce.identify.passages import LEAD
+
+    begin = first - LEAD * found.period
+    count = max(round((last - first) / step), 8)
+    instants = begin + (last - first) / count * np.arange(count)
+    loop = trial.measured[channels].interp(time=instants, method="cubic", kwargs={"fill_value": "extrapolate"})
+    loop = loop.assign_coords(time=("time", instants - begin, {"units": "s"}))
+    return replace(found, loop=loop, scatter=None, repeatability={})
+
+
+def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[FitTrial, TrialOnBelt | None]:
+    """Move the obstacle to where the record meets it; leave a trial alone whose record begins where the road says."""
+    road, speed = trial.trial.road, trial.trial.speed
+    assert road is not None
+    assert speed is not None
+    if road.is_course() or road.end() == road.start:
+        return trial, None
+    try:
+        found = find_passages(
+            trial.measured, trial.rig, road, speed, sensors=trial.sensors, channels=channels, name=trial.name
+        )
+    except JounceError:
+        return trial, None  # the comparison says what it finds
+    met, stated = found.times[0], road.start / speed
+    if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
+        return trial, None
+    text = f"the obstacle is met at {met:.4g} s, the road says {stated:.4g} s; the model meets it when the record does"
+    start = max(met * speed, 0.0)
+    fields = {name: getattr(road, name) for name in road.model_fields_set}
+    moved = type(road).model_validate({**fields, "start": start})
+    given = {name: getattr(trial.trial, name) for name in trial.trial.model_fields_set}
+    driven = type(trial.trial).model_validate({**given, "road": moved})
+    facts = TrialOnBelt(noted, None, speed, None, found, (*found.findings, Finding("road", "warning", text, met)))
+    return replace(trial, trial=driven), facts
+
+
+_SURE = 0.8
+"""Correlation with the model's response from which on its place is taken, rather than that of the road."""
