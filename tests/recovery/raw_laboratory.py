@@ -14,7 +14,7 @@ anywhere, and the wheel still swings from the last one.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -22,7 +22,7 @@ import numpy as np
 
 Array = np.ndarray
 GRAVITY = 9.81
-STEP = 1e-4
+STEP = 2.5e-4
 """Step of the integration, s: a fourth-order method, and the wheel's mode lies at 30 Hz."""
 RATE, DURATION, BEFORE = 2000, 10.0, 4.0
 """Samples per second of a trial (Hz), its length (s), and how long the belt has been running before it (s)."""
@@ -262,7 +262,7 @@ def pulse_times(lab: Laboratory, trial: int, draw: np.random.Generator) -> Array
     at = np.interp(marks, turns, time) + lab.jitter * draw.standard_normal(len(marks))
     at = at[draw.random(len(at)) >= lab.missing_pulses]
     doubled = at[draw.random(len(at)) < lab.double_pulses]
-    return np.sort(np.concatenate([at, doubled + 2e-3]))
+    return np.sort(np.concatenate([at, doubled + 0.2 * np.median(np.diff(at))]))
 
 
 def pulse_volts(at: Array, time: Array, draw: np.random.Generator) -> Array:
@@ -389,21 +389,27 @@ def passages(lab: Laboratory, trial: int) -> Array:
     return np.interp(loops * lab.belt.loop, x, time)
 
 
-def settings(lab: Laboratory) -> Sequence[tuple[str, str]]:
-    """What somebody wrote into the laboratory's book: names and values with units."""
-    return (
-        ("sprung mass", "16 kg"),
-        ("unsprung mass", "5 kg"),
-        ("belt length", f"{lab.belt.loop:g} m"),
-        ("cylinder radius to the belt's pitch line", f"{1e3 * lab.belt.radius:.2f} mm"),
-        ("pulses a turn", str(lab.belt.pulses)),
-        ("obstacle height", "10 mm"),
-        ("obstacle length", "60 mm"),
-        ("sensitivity ch0", "100 mV/g"),
-        ("sensitivity ch1", "10 mV/g"),
-        ("sensitivity ch3", "5 V / 50 mm"),
-        ("ch0 points", "up" if lab.sprung.sign > 0 else "down"),
-        ("ch1 points", "up" if lab.unsprung.sign > 0 else "down"),
-        ("AC coupling ch0", f"{lab.sprung.high_pass:.3g} Hz"),
-        ("AC coupling ch1", f"{lab.unsprung.high_pass:.3g} Hz"),
+def write_book(lab: Laboratory, folder: Path) -> None:
+    """Write what somebody noted by hand: the settings, and table 2 with its blank cells."""
+    belt = lab.belt
+    folder.joinpath("settings.toml").write_text(
+        f"""schema = "jounce.laboratory/1"
+synthetic = "A virtual laboratory"
+sprung_mass = "16 kg"
+unsprung_mass = "5 kg"
+obstacle = {{height = "10 mm", length = "60 mm"}}
+belt = {{length = "{belt.loop:g} m", radius = "{1e3 * belt.radius:.2f} mm", pulses = {belt.pulses}, column = "ch2"}}
+[channels]
+ch0 = {{measures = "sprung.az", sensitivity = "100 mV/g", orientation = {lab.sprung.sign}, high_pass = "{lab.sprung.high_pass:.3g} Hz"}}
+ch1 = {{measures = "unsprung.az", sensitivity = "10 mV/g", orientation = {lab.unsprung.sign}, high_pass = "{lab.unsprung.high_pass:.3g} Hz"}}
+ch3 = {{measures = "sprung.z", sensitivity = "5 V / 50 mm"}}
+""",
+        encoding="utf-8",
     )
+    lines, above = ["trial,speed [m/s],angle [deg],pressure [MPa],profile"], ("", "", "")
+    for number, speed, angle, pressure, profile in TABLE:
+        here = (f"{angle}", f"{pressure}", profile)
+        cells = ["" if cell == before else cell for cell, before in zip(here, above, strict=True)]
+        lines.append(f"{number},{speed},{','.join(cells)}")
+        above = here
+    folder.joinpath("table.csv").write_text("\n".join(lines), encoding="utf-8")

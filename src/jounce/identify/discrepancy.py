@@ -369,12 +369,18 @@ class CalibrationProblem:
             found.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
         return found
 
+    def gain_doubt(self, channel: Channel) -> float:
+        """How far the gain of a channel may be off (1): as its calibration tells, or as for all."""
+        own = None if channel.sensor is None else channel.sensor.gain_doubt
+        return self.doubt.gain if own is None else own
+
     def _sensors(self) -> list[Nuisance]:
         doubt, found = self.doubt, []
         channels = {channel.name: channel for run in self.runs for channel in run.channels}
         for name, channel in channels.items():
-            if doubt.gain > 0.0:
-                found.append(Nuisance(f"{name} gain", "gain", "1", 0.0, doubt.gain))
+            gain = self.gain_doubt(channel)
+            if gain > 0.0:
+                found.append(Nuisance(f"{name} gain", "gain", "1", 0.0, gain))
             if doubt.bias > 0.0:
                 found.append(Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured))))
             corner = self.beside.get(f"{name}{LOW_PASS}", doubt.corner)
@@ -475,7 +481,7 @@ class CalibrationProblem:
         gained = gained / (1.0 + self.value(f"{channel.name} gain", state.xi))
         sensed: dict[str, Array] = {}
         if f"{channel.name} gain" in self.place:
-            sensed[f"{channel.name} gain"] = gained * self.doubt.gain
+            sensed[f"{channel.name} gain"] = gained * self.gain_doubt(channel)
         for name in (f"{channel.name} corner", f"{channel.name} bandwidth"):
             if name in self.place:
                 step = state.xi.copy()

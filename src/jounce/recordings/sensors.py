@@ -81,6 +81,9 @@ class Sensor(Description):
         Standard deviation of white noise added to every sample, in the channel's unit; only if a seed is given.
     gain : float
         Recorded over true size, 1 by default.
+    gain_doubt : float or None
+        Share (1) by which the gain may be off, as one standard deviation: that of its calibration. None: as `Doubt` has
+        it for all sensors.
     orientation : {1, -1}
         -1 for a sensor mounted upside down.
     column : str
@@ -109,6 +112,7 @@ class Sensor(Description):
     bias: Annotated[float | str, ChannelUnit()] = 0.0
     noise: Annotated[float | str, ChannelUnit(at_least=0.0)] = 0.0
     gain: Number = 1.0
+    gain_doubt: Annotated[float, Unit("1", at_least=0.0)] | None = None
     orientation: Literal[1, -1] = 1
     datum: Datum | None = None
     column: str = ""
@@ -133,7 +137,7 @@ class Sensor(Description):
         return self == Sensor(noise=self.noise, **acquired)
 
 
-_ACQUIRED = ("column", "sensitivity", "zero")
+_ACQUIRED = ("column", "sensitivity", "zero", "gain_doubt")
 """How a file is read, which is no part of what the chain does to a signal."""
 
 

@@ -1,0 +1,380 @@
+"""A campaign made of a folder: every file looked at, and the campaign written that they and the settings make."""
+
+from __future__ import annotations
+
+import math
+import os
+import tomllib
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import tomlkit
+
+from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials
+from jounce.campaign.recognise import RecognisedFile, recognise
+from jounce.core.errors import DescriptionError, JounceError, RecordingError
+from jounce.core.findings import Finding
+from jounce.core.shown import Shown
+from jounce.core.writing import write_files
+from jounce.identify.calibration import Calibration, read_calibration
+from jounce.recordings.conditioning import sensitivity_of
+from jounce.recordings.schema import channel_unit
+
+Strategies = Literal["default", "paper"]
+_FITTED = 3
+"""Trials that are fitted by default: from three on an update has an interval that counts model error."""
+_START_DAMPING = "150 N*s/m"
+"""Where the search for the damper begins: its bounds reach from 0.2 to 3 times this."""
+_AGREES = 0.03
+"""Share by which a calibration may differ from the sensitivity on a sensor's label without being asked about."""
+
+
+@dataclass(frozen=True)
+class FolderCampaign(Shown):
+    """A campaign that was made of a folder.
+
+    Attributes
+    ----------
+    campaign : Path
+        The campaign file.
+    files : tuple of RecognisedFile
+        Every file of the folder, and what it was taken for.
+    findings : tuple of Finding
+        What is missing or could be meant otherwise.
+    """
+
+    campaign: Path
+    files: tuple[RecognisedFile, ...]
+    findings: tuple[Finding, ...]
+
+
+def campaign_from_folder(
+    folder: Path | str,
+    source: Path | str,
+    *,
+    settings: Path | str | None = None,
+    strategies: Strategies = "default",
+    force: bool = False,
+) -> FolderCampaign:
+    """Look at every file of a laboratory's folder and write the campaign that they make.
+
+    Parameters
+    ----------
+    folder : Path or str
+        Where ``campaign.toml`` and ``rig.toml`` are written; it is made.
+    source : Path or str
+        Folder of the laboratory's files; they stay where they are.
+    settings : Path or str, optional
+        What was written by hand (schema ``jounce.laboratory/1``); by default the file of that kind in ``source``.
+    strategies : {"default", "paper"}
+        Updates: one with all parameters free, or the three of the quarter-car prototype paper.
+    force : bool
+        Overwrite existing files.
+
+    Returns
+    -------
+    FolderCampaign
+        The file written, what each file was taken for, and findings.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no folder, or no table of trials.
+    DescriptionError
+        For settings that cannot be understood, or none.
+    OutputError
+        When a file exists, without ``force``.
+    """
+    place = Path(source)
+    known = _settings_of(place, settings)
+    laboratory = load_laboratory(known)
+    files = recognise(place, laboratory)
+    raw = tomllib.loads(known.read_text(encoding="utf-8"))
+    maker = _Maker(Path(folder), place, laboratory, raw, files, strategies)
+    text = maker.campaign()
+    written = {"campaign.toml": text.encode(), **({} if laboratory.rig else {"rig.toml": maker.rig().encode()})}
+    write_files(Path(folder), written, force=force)
+    return FolderCampaign(Path(folder) / "campaign.toml", tuple(files), tuple(maker.findings))
+
+
+def _settings_of(source: Path, given: Path | str | None) -> Path:
+    if given is not None:
+        return Path(given)
+    found = [file for file in sorted(source.glob("*.toml")) if "jounce.laboratory/" in file.read_text(errors="replace")]
+    if len(found) != 1:
+        raise DescriptionError(
+            "no settings of the laboratory" if not found else "several settings of a laboratory",
+            where=str(source),
+            found=", ".join(file.name for file in found) or None,
+            allowed='one TOML file with schema = "jounce.laboratory/1", or --settings FILE',
+            hint="It states both masses, the obstacle, the belt and the channels of the card.",
+        )
+    return found[0]
+
+
+class _Maker:
+    """Writes a campaign; notes what is missing on the way."""
+
+    def __init__(
+        self,
+        folder: Path,
+        source: Path,
+        laboratory: Laboratory,
+        raw: Mapping[str, Any],
+        files: Sequence[RecognisedFile],
+        strategies: Strategies,
+    ) -> None:
+        self.folder, self.source, self.laboratory, self.strategies = folder, source, laboratory, strategies
+        self.raw = raw
+        self.files, self.findings = files, list[Finding]()
+        self.rows = {row.number: row for row in self._table()}
+        for item in files:
+            if item.kind == "unknown":
+                self._note(item.file.name, "note", f"left out: {item.why}")
+            elif item.doubt:
+                self._note(item.file.name, "warning", f"taken for a {item.kind} ({item.why}); it could be {item.doubt}")
+
+    def _note(self, place: str, severity: Any, text: str, value: float | None = None) -> None:
+        self.findings.append(Finding(place, severity, text, value))
+
+    def _of(self, kind: str) -> list[RecognisedFile]:
+        return [item for item in self.files if item.kind == kind]
+
+    def _table(self) -> list[TrialRow]:
+        tables = [item.file for item in self._of("table of trials")]
+        if self.laboratory.trials:
+            tables = [self.source / self.laboratory.trials]
+        if len(tables) != 1:
+            raise DescriptionError(
+                "no table of trials" if not tables else "several tables of trials",
+                where=str(self.source),
+                found=", ".join(file.name for file in tables) or None,
+                allowed="one CSV or XLSX with columns trial, speed, angle, pressure, profile",
+                hint='Name it in the settings: trials = "table.csv".',
+            )
+        return read_trials(tables[0])
+
+    # the campaign -----------------------------------------------------------------------------------------------------
+
+    def campaign(self) -> str:
+        document = tomlkit.document()
+        document.add(tomlkit.comment(f"Made of the files in {self._relative(self.source)}; change what is wrong."))
+        document["schema"] = "jounce.campaign/1"
+        document["title"] = self.laboratory.title
+        if self.laboratory.synthetic:
+            document["synthetic"] = self.laboratory.synthetic
+        document["rig"] = self.laboratory.rig or "rig.toml"
+        if self.laboratory.belt is not None:
+            document["belt"] = self.raw["belt"]
+        document["sensors"] = {channel.measures: self._sensor(name, channel) for name, channel in self.laboratory.channels.items()}
+        document["bench"] = self._bench()
+        document["roads"] = self._roads()
+        if not self._records().keys() & self.rows.keys():
+            raise RecordingError(
+                "no record of a trial was found",
+                where=str(self.source),
+                found=", ".join(f"{count} {kind}" for kind, count in Counter(item.kind for item in self.files).items()),
+                allowed="files with time and signals whose names have the numbers of the table",
+            )
+        document["trial"] = _tables(self._trials())
+        document["update"] = _tables(self._updates())
+        return tomlkit.dumps(document)
+
+    def rig(self) -> str:
+        angle = next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
+        document = tomlkit.document()
+        document["schema"] = "jounce.rig/1"
+        document["model"] = "quarter-car"
+        document["source"] = "masses as weighed; spring and tyre are replaced by their tests; the rest is where a search begins"
+        document["sprung"] = {"mass": self.raw["sprung_mass"]}
+        document["unsprung"] = {"mass": self.raw["unsprung_mass"]}
+        document["strut"] = {
+            "angle": f"{math.degrees(angle):g} deg",
+            "spring": {"rate": "22 N/mm"},
+            "damper": {"bump_coefficient": _START_DAMPING, "rebound_coefficient": _START_DAMPING},
+        }
+        document["guide"] = {"friction": {"force": "5 N", "regularisation_velocity": "5 mm/s"}}
+        document["tyre"] = {"stiffness": "138 N/mm", "damping_coefficient": "10 N*s/m"}
+        return tomlkit.dumps(document)
+
+    def _relative(self, file: Path) -> str:
+        return Path(os.path.relpath(file, self.folder)).as_posix()
+
+    def _sensor(self, column: str, channel: CardChannel) -> dict[str, Any]:
+        table = {"column": column, **self.raw["channels"][column]}
+        table.pop("measures")
+        for item in self._of("calibration"):
+            if column in [label.partition(" [")[0] for label in item.columns.values()]:
+                table |= self._calibrated(item, column, channel)
+        return table
+
+    def _calibrated(self, item: RecognisedFile, column: str, channel: CardChannel) -> dict[str, Any]:
+        """Sensitivity and doubt of a calibration in place of those on the sensor's label."""
+        try:
+            found: Calibration = read_calibration(item.file)
+        except JounceError as error:
+            self._note(item.file.name, "warning", f"{error} The stated sensitivity is used.")
+            return {}
+        unit = channel_unit(channel.measures)
+        if found.quantity_unit != unit:
+            text = f"it calibrates a quantity in {found.quantity_unit}, and {column} measures {channel.measures}: left out"
+            self._note(item.file.name, "warning", text)
+            return {}
+        for finding in found.findings:
+            self._note(item.file.name, finding.severity, finding.message, finding.value)
+        size, error = abs(found.sensitivity.value), found.gain_doubt
+        if channel.sensitivity:
+            stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
+            if abs(size / stated - 1.0) > _AGREES:
+                text = f"{100.0 * (size / stated - 1.0):+.2g} % from the stated sensitivity of {column}; the calibration is used"
+                self._note(item.file.name, "warning", text, size / stated)
+        if found.sensitivity.value < 0.0:
+            self._note(item.file.name, "note", f"{column} falls where {channel.measures} grows: orientation = -1")
+        table: dict[str, Any] = {"sensitivity": f"{size:.6g} {found.recorded_unit.replace('1', 'counts')}/({unit})"}
+        if found.sensitivity.value < 0.0:
+            table["orientation"] = -1
+        if error is not None:
+            table["gain_doubt"] = float(f"{error:.3g}")
+        if channel.high_pass is None:  # behind AC coupling a calibration's zero is none of the record
+            table["zero"] = f"{found.zero.value:.6g} {found.recorded_unit.replace('1', 'counts')}"
+        return table
+
+    def _bench(self) -> dict[str, Any]:
+        bench: dict[str, Any] = {}
+        springs, decays = self._of("spring"), self._of("decay")
+        if springs:
+            bench["spring"] = self._tests(springs)
+        else:
+            self._note("bench.spring", "warning", "no test of the spring: its rate is found from the trials alone")
+        tyres: dict[float, list[RecognisedFile]] = {}
+        for item in self._of("tyre"):
+            if item.pressure is None:
+                text = "no pressure in its name, and none in its columns: left out; name it as in tyre_0.31MPa_1.csv"
+                self._note(item.file.name, "warning", text)
+            else:
+                tyres.setdefault(item.pressure, []).append(item)
+        if tyres:
+            bench["tyre"] = {f"{1e-6 * pressure:g} MPa": self._tests(items) for pressure, items in sorted(tyres.items(), reverse=True)}
+        asked = {row.pressure for row in self.rows.values() if row.pressure is not None}
+        for pressure in sorted(asked - set(tyres)) if tyres else ():
+            text = f"no tyre test at {1e-6 * pressure:g} MPa, at which trials were run: interpolated between the others"
+            self._note("bench.tyre", "warning", text, pressure)
+        if decays:
+            bench["decay"] = {"files": [self._relative(item.file) for item in decays]}
+            columns = {name: label for item in decays for name, label in item.columns.items()}
+            channel = next(iter(columns), None)
+            if channel is not None and channel != "sprung.z":
+                bench["decay"]["channel"] = channel
+        return bench
+
+    def _tests(self, items: Sequence[RecognisedFile]) -> dict[str, Any]:
+        table: dict[str, Any] = {"files": [self._relative(item.file) for item in items]}
+        if items[0].columns:
+            table["columns"] = dict(items[0].columns)
+        return table
+
+    def _roads(self) -> dict[str, Any]:
+        obstacle = self.laboratory.obstacle
+        roads: dict[str, Any] = {
+            "A": {"kind": obstacle.shape, "height": f"{1e3 * obstacle.height:g} mm", "length": f"{1e3 * obstacle.length:g} mm"}
+        }
+        for row in self.rows.values():
+            if row.pitch is not None:
+                roads[_road(row)] = {"kind": "train", "of": "A", "count": row.count, "pitch": f"{row.pitch:g} m"}
+        return roads
+
+    # trials -----------------------------------------------------------------------------------------------------------
+
+    def _trials(self) -> Iterator[dict[str, Any]]:
+        fitted = self._fitted()
+        records = self._records()
+        for number, row in self.rows.items():
+            item = records.get(number)
+            if item is None:
+                self._note(f"trial {number}", "warning", "no record has its number: left out")
+                continue
+            if item.pressure is not None and row.pressure is not None and abs(item.pressure / row.pressure - 1.0) > 0.02:
+                text = (
+                    f"its name says {1e-6 * item.pressure:g} MPa, the table {1e-6 * row.pressure:g} MPa for trial {number}; "
+                    "the table is used"
+                )
+                self._note(item.file.name, "warning", text, item.pressure)
+            table: dict[str, Any] = {"number": number}
+            if row.speed is not None:
+                table["speed"] = f"{row.speed:g} m/s"
+            if row.angle is not None:
+                table["strut_angle"] = f"{math.degrees(row.angle):g} deg"
+            pressure = row.pressure if row.pressure is not None else item.pressure
+            if pressure is None:
+                self._note(f"trial {number}", "warning", "no pressure in the table or the name: that of the first tyre test")
+            else:
+                table["tyre_pressure"] = f"{1e-6 * pressure:g} MPa"
+            yield table | {
+                "road": _road(row),
+                "recording": self._relative(item.file),
+                "use": "fit" if number in fitted else "hold-out",
+            }
+        for item in self._of("trial"):
+            if item.number is None:
+                self._note(item.file.name, "warning", "its name has no number of a trial: left out")
+            elif item.number not in self.rows:
+                self._note(item.file.name, "warning", f"the table has no trial {item.number}: left out")
+
+    def _records(self) -> Mapping[int, RecognisedFile]:
+        return {item.number: item for item in self._of("trial") if item.number is not None}
+
+    def _fitted(self) -> set[int]:
+        """Trials of a single obstacle at the setting that most have: the slowest, a middle one and the fastest."""
+        single = [row for row in self.rows.values() if row.pitch is None and row.speed is not None]
+        settings = Counter((row.angle, row.pressure) for row in single)
+        if not settings:
+            return {row.number for row in self.rows.values()}
+        usual = settings.most_common(1)[0][0]
+        rows = sorted((row for row in single if (row.angle, row.pressure) == usual), key=lambda row: row.speed or 0.0)
+        count = min(_FITTED, len(rows))
+        return {rows[round(k * (len(rows) - 1) / max(count - 1, 1))].number for k in range(count)}
+
+    def _updates(self) -> Iterator[dict[str, Any]]:
+        damper = {f"strut.damper.{side}_coefficient": [0.2, 3.0] for side in ("bump", "rebound")}
+        bounds = {path: [f"{low * 150.0:g} N*s/m", f"{high * 150.0:g} N*s/m"] for path, (low, high) in damper.items()}
+        if self.laboratory.rig:
+            bounds = {"strut.damper.coefficient": "50 %"}
+        usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}
+        if self.strategies == "default":
+            yield {
+                "name": "stiffness, damping and friction",
+                "free": {"strut.spring.rate": "20 %", **bounds, "tyre.stiffness": "20 %", "guide.friction.force": ["0 N", "40 N"]},
+                **usual,
+            }
+            return
+        ten = dict.fromkeys(bounds, "10 %")
+        yield {"name": "strategy 1", "tyre_law": "polynomial", "method": "bfgs", "align": "lag",
+               "free": {"strut.spring.rate": "10 %", **ten, "tyre.curve.coefficients[0]": "10 %",
+                        "tyre.curve.coefficients[1]": "10 %", "tyre.curve.coefficients[2]": "10 %"}}  # fmt: skip
+        yield {"name": "strategy 2", "method": "bfgs", "align": "lag",
+               "free": {"strut.spring.rate": "10 %", **ten, "tyre.stiffness": "10 %"}}  # fmt: skip
+        low = self._low_pressure()
+        if low:
+            yield {"name": "strategy 3", "method": "bfgs", "align": "lag", "start_from": "strategy 2", "trials": low,
+                   "free": {"tyre.stiffness": "10 %"}}  # fmt: skip
+
+    def _low_pressure(self) -> list[int]:
+        """Trials at the lower pressure, of those whose records are there."""
+        pressures = {row.pressure for row in self.rows.values() if row.pressure is not None}
+        if len(pressures) < 2:
+            return []
+        return [n for n, row in self.rows.items() if row.pressure == min(pressures) and n in self._records()]
+
+
+def _tables(rows: Iterator[dict[str, Any]]) -> tomlkit.items.AoT:
+    tables = tomlkit.aot()
+    for row in rows:
+        tables.append(tomlkit.item(row))
+    return tables
+
+
+def _road(row: TrialRow) -> str:
+    return "A" if row.pitch is None else f"B {row.pitch:g}"
