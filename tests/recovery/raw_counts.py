@@ -50,25 +50,25 @@ def evaluated(seed: int) -> dict[str, Any]:
     return {"parameters": parameters, "r2": r2, "seconds": seconds, "problems": problems}
 
 
-def show(counted: dict[str, Any]) -> None:
-    """Print how often each parameter is covered, and how wide its interval is."""
+def table_of(counted: dict[str, Any]) -> str:
+    """Say how often each parameter is covered, and how wide its interval is."""
     rows = list(counted.values())
-    inside = total = 0
-    print(f"{len(rows)} laboratories")
+    lines, inside, total = [f"{len(rows)} laboratories"], 0, 0
     for path in sorted({path for row in rows for path in row["parameters"]}):
         found = [row["parameters"][path] for row in rows if path in row["parameters"]]
         covers = [one["interval"][0] <= one["truth"] <= one["interval"][1] for one in found]
-        known = [one["identified"] for one in found]
-        out = sum(known_ and not covers_ for known_, covers_ in zip(known, covers, strict=True))
+        known = sum(one["identified"] for one in found)
+        out = sum(one["identified"] and not covers_ for one, covers_ in zip(found, covers, strict=True))
         half = np.median([0.5 * (one["interval"][1] - one["interval"][0]) / one["truth"] for one in found])
-        print(f"{path:36} {sum(covers):3} of {len(found)}, identified {sum(known):3}, of these out {out}, ± {100.0 * half:.1f} %")
+        counts = f"{sum(covers):3} of {len(found)}, identified {known:3}, of these out {out}"
+        lines.append(f"{path:36} {counts}, half-width {100.0 * half:.1f} %")
         inside, total = inside + sum(covers), total + len(found)
-    print(f"pooled {inside} of {total} = {100.0 * inside / max(total, 1):.1f} %")
-    worst = [min(row["r2"].values()) for row in rows if row["r2"]]
-    print(f"trials {sum(len(row['r2']) for row in rows)}, worst R2 {min(worst):.4f}; {np.mean([row['seconds'] for row in rows]):.1f} CPU s")
-    for seed, row in counted.items():
-        for problem in row["problems"]:
-            print(seed, problem[:200])
+    lines.append(f"pooled {inside} of {total} = {100.0 * inside / max(total, 1):.1f} %")
+    worst = min((min(row["r2"].values()) for row in rows if row["r2"]), default=float("nan"))
+    seconds = np.mean([row["seconds"] for row in rows])
+    lines.append(f"trials {sum(len(row['r2']) for row in rows)}, worst R2 {worst:.4f}; {seconds:.1f} CPU s")
+    lines += [f"{seed} {problem[:200]}" for seed, row in counted.items() for problem in row["problems"]]
+    return "\n".join(lines)
 
 
 if __name__ == "__main__":
@@ -80,4 +80,4 @@ if __name__ == "__main__":
             if str(seed) not in counted:
                 counted[str(seed)] = evaluated(seed)
                 file.write_text(json.dumps(counted), encoding="utf-8")
-    show(counted)
+    sys.stdout.write(f"{table_of(counted)}\n")

@@ -317,10 +317,15 @@ def _decays(lab: Laboratory, draw: np.random.Generator) -> Iterator[tuple[str, d
     """Two free decays of the body, the wheel on its tyre at 0.31 MPa; a laser's voltage."""
     time = np.arange(0.0, 3.0, 1.0 / 500.0)
     for number, lifted in enumerate((0.020, 0.015), 1):
-        yield f"decay_{number}.csv", {
-            "Time [s]": time,
-            "ch3 [V]": 2.5 + lab.laser * _released(lab.bench, lifted, time) + 2e-3 * draw.standard_normal(time.size),
-        }
+        yield (
+            f"decay_{number}.csv",
+            {
+                "Time [s]": time,
+                "ch3 [V]": 2.5
+                + lab.laser * _released(lab.bench, lifted, time)
+                + 2e-3 * draw.standard_normal(time.size),
+            },
+        )
 
 
 def _released(bench: Bench, lifted: float, time: Array) -> Array:
@@ -360,7 +365,8 @@ def _calibrations(lab: Laboratory, draw: np.random.Generator) -> Iterator[tuple[
 
 def _write_text(file: Path, columns: dict[str, Array], *, has_commas: bool) -> None:
     text = "\n".join(
-        (";" if has_commas else ",").join(f"{value:.6g}" for value in row) for row in np.column_stack([*columns.values()])
+        (";" if has_commas else ",").join(f"{value:.6g}" for value in row)
+        for row in np.column_stack([*columns.values()])
     )
     header = (";" if has_commas else ",").join(columns)
     file.write_text(f"{header}\n{text.replace('.', ',') if has_commas else text}\n", encoding="utf-8")
@@ -392,6 +398,10 @@ def passages(lab: Laboratory, trial: int) -> Array:
 def write_book(lab: Laboratory, folder: Path) -> None:
     """Write what somebody noted by hand: the settings, and table 2 with its blank cells."""
     belt = lab.belt
+    first, second = (
+        f'sensitivity = "{label}", orientation = {chain.sign}, high_pass = "{chain.high_pass:.3g} Hz"'
+        for label, chain in (("100 mV/g", lab.sprung), ("10 mV/g", lab.unsprung))
+    )
     folder.joinpath("settings.toml").write_text(
         f"""schema = "jounce.laboratory/1"
 synthetic = "A virtual laboratory"
@@ -400,8 +410,8 @@ unsprung_mass = "5 kg"
 obstacle = {{height = "10 mm", length = "60 mm"}}
 belt = {{length = "{belt.loop:g} m", radius = "{1e3 * belt.radius:.2f} mm", pulses = {belt.pulses}, column = "ch2"}}
 [channels]
-ch0 = {{measures = "sprung.az", sensitivity = "100 mV/g", orientation = {lab.sprung.sign}, high_pass = "{lab.sprung.high_pass:.3g} Hz"}}
-ch1 = {{measures = "unsprung.az", sensitivity = "10 mV/g", orientation = {lab.unsprung.sign}, high_pass = "{lab.unsprung.high_pass:.3g} Hz"}}
+ch0 = {{measures = "sprung.az", {first}}}
+ch1 = {{measures = "unsprung.az", {second}}}
 ch3 = {{measures = "sprung.z", sensitivity = "5 V / 50 mm"}}
 """,
         encoding="utf-8",

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from jounce.core.description import Description, Whole
 from jounce.core.errors import FitError, JounceError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.units import NonNegativeLength, PositiveLength, Unit
 from jounce.identify.fit_problem import FitTrial
@@ -129,7 +129,7 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
 
 
 def placed(
-    trial: FitTrial, belt: Belt | None, noted: float | None, passage: Passage, pulses: PulseSpeed | None
+    trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None
 ) -> tuple[FitTrial, TrialOnBelt | None]:
     """Give a trial whose model meets the obstacle when the record does.
 
@@ -161,7 +161,12 @@ def placed(
         )
     slip = None if pulses is None else 1.0 - found.speed / pulses.mean
     facts = TrialOnBelt(
-        noted, None if pulses is None else pulses.mean, found.speed, slip, found, tuple(_speed_findings(noted, slip, found))
+        noted,
+        None if pulses is None else pulses.mean,
+        found.speed,
+        slip,
+        found,
+        tuple(_speed_findings(noted, slip, found)),
     )
     sensors = {name: _with_free_zero(trial.sensors.get(name)) for name in map(str, found.loop.data_vars)}
     return averaged_trial(replace(trial, sensors={**trial.sensors, **sensors}), found), facts
@@ -180,17 +185,11 @@ def _with_free_zero(sensor: Sensor | None) -> Sensor:
 def _speed_findings(noted: float | None, slip: float | None, found: Passages) -> list[Finding]:
     findings = list(found.findings)
     if slip is not None and abs(slip) > _SLIP_BEYOND:
-        text = (
-            f"the belt is {100.0 * abs(slip):.2g} % {'slower' if slip > 0.0 else 'faster'} than its cylinder: "
-            f"{found.speed:.4g} m/s by the recurrence of the obstacle"
-        )
-        if 0.0 < slip < _LARGEST_SLIP:
-            findings.append(Finding("speed", "note", text, slip))
-        else:
-            findings.append(Finding("speed", "warning", f"{text}; check radius, thickness and pulses a turn", slip))
+        code = "campaign.belt_slips" if 0.0 < slip < _LARGEST_SLIP else "campaign.belt_and_pulses_differ"
+        findings.append(finding(code, "speed", slip, slip=slip, speed=found.speed))
     if noted is not None and abs(found.speed / noted - 1.0) > 0.01:
-        text = f"noted are {noted:.4g} m/s; the obstacle comes again every {found.period:.4g} s, at {found.speed:.4g} m/s"
-        findings.append(Finding("speed", "warning", f"{text}, which the model drives", found.speed))
+        numbers = {"noted": noted, "period": found.period, "speed": found.speed}
+        findings.append(finding("campaign.other_speed_than_noted", "speed", found.speed, **numbers))
     return findings
 
 
@@ -233,13 +232,19 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[F
     met, stated = found.times[0], road.start / speed
     if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
         return trial, None
-    text = f"the obstacle is met at {met:.4g} s, the road says {stated:.4g} s; the model meets it when the record does"
     start = max(met * speed, 0.0)
     fields = {name: getattr(road, name) for name in road.model_fields_set}
     moved = type(road).model_validate({**fields, "start": start})
     given = {name: getattr(trial.trial, name) for name in trial.trial.model_fields_set}
     driven = type(trial.trial).model_validate({**given, "road": moved})
-    facts = TrialOnBelt(noted, None, speed, None, found, (*found.findings, Finding("road", "warning", text, met)))
+    facts = TrialOnBelt(
+        noted,
+        None,
+        speed,
+        None,
+        found,
+        (*found.findings, finding("campaign.met_elsewhere", "road", met, met=met, stated=stated)),
+    )
     return replace(trial, trial=driven), facts
 
 

@@ -16,7 +16,7 @@ import tomlkit
 from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials
 from jounce.campaign.recognise import RecognisedFile, recognise
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.writing import write_files
 from jounce.identify.calibration import Calibration, read_calibration
@@ -133,12 +133,12 @@ class _Maker:
         self.rows = {row.number: row for row in self._table()}
         for item in files:
             if item.kind == "unknown":
-                self._note(item.file.name, "note", f"left out: {item.why}")
+                self._note("file_left_out", item.file.name, why=item.why)
             elif item.doubt:
-                self._note(item.file.name, "warning", f"taken for a {item.kind} ({item.why}); it could be {item.doubt}")
+                self._note("file_in_doubt", item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
 
-    def _note(self, place: str, severity: Any, text: str, value: float | None = None) -> None:
-        self.findings.append(Finding(place, severity, text, value))
+    def _note(self, code: str, place: str, value: float | None = None, **numbers: Any) -> None:
+        self.findings.append(finding(f"campaign.{code}", place, value, **numbers))
 
     def _of(self, kind: str) -> list[RecognisedFile]:
         return [item for item in self.files if item.kind == kind]
@@ -169,7 +169,9 @@ class _Maker:
         document["rig"] = self.laboratory.rig or "rig.toml"
         if self.laboratory.belt is not None:
             document["belt"] = self.raw["belt"]
-        document["sensors"] = {channel.measures: self._sensor(name, channel) for name, channel in self.laboratory.channels.items()}
+        document["sensors"] = {
+            channel.measures: self._sensor(name, channel) for name, channel in self.laboratory.channels.items()
+        }
         document["bench"] = self._bench()
         document["roads"] = self._roads()
         if not self._records().keys() & self.rows.keys():
@@ -188,7 +190,9 @@ class _Maker:
         document = tomlkit.document()
         document["schema"] = "jounce.rig/1"
         document["model"] = "quarter-car"
-        document["source"] = "masses as weighed; spring and tyre are replaced by their tests; the rest is where a search begins"
+        document["source"] = (
+            "masses as weighed; spring and tyre are replaced by their tests; the rest is where a search begins"
+        )
         document["sprung"] = {"mass": self.raw["sprung_mass"]}
         document["unsprung"] = {"mass": self.raw["unsprung_mass"]}
         document["strut"] = {
@@ -216,23 +220,22 @@ class _Maker:
         try:
             found: Calibration = read_calibration(item.file)
         except JounceError as error:
-            self._note(item.file.name, "warning", f"{error} The stated sensitivity is used.")
+            self._note("stated_sensitivity_used", item.file.name, error=error)
             return {}
         unit = channel_unit(channel.measures)
         if found.quantity_unit != unit:
-            text = f"it calibrates a quantity in {found.quantity_unit}, and {column} measures {channel.measures}: left out"
-            self._note(item.file.name, "warning", text)
+            numbers = {"unit": found.quantity_unit, "column": column, "channel": channel.measures}
+            self._note("calibrates_another_quantity", item.file.name, **numbers)
             return {}
-        for finding in found.findings:
-            self._note(item.file.name, finding.severity, finding.message, finding.value)
+        self.findings += found.findings
         size, error = abs(found.sensitivity.value), found.gain_doubt
         if channel.sensitivity:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
-                text = f"{100.0 * (size / stated - 1.0):+.2g} % from the stated sensitivity of {column}; the calibration is used"
-                self._note(item.file.name, "warning", text, size / stated)
+                share = size / stated - 1.0
+                self._note("calibration_differs", item.file.name, share, share=share, column=column)
         if found.sensitivity.value < 0.0:
-            self._note(item.file.name, "note", f"{column} falls where {channel.measures} grows: orientation = -1")
+            self._note("falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
         table: dict[str, Any] = {"sensitivity": f"{size:.6g} {found.recorded_unit.replace('1', 'counts')}/({unit})"}
         if found.sensitivity.value < 0.0:
             table["orientation"] = -1
@@ -248,20 +251,21 @@ class _Maker:
         if springs:
             bench["spring"] = self._tests(springs)
         else:
-            self._note("bench.spring", "warning", "no test of the spring: its rate is found from the trials alone")
+            self._note("no_spring_test", "bench.spring")
         tyres: dict[float, list[RecognisedFile]] = {}
         for item in self._of("tyre"):
             if item.pressure is None:
-                text = "no pressure in its name, and none in its columns: left out; name it as in tyre_0.31MPa_1.csv"
-                self._note(item.file.name, "warning", text)
+                self._note("tyre_without_pressure", item.file.name)
             else:
                 tyres.setdefault(item.pressure, []).append(item)
         if tyres:
-            bench["tyre"] = {f"{1e-6 * pressure:g} MPa": self._tests(items) for pressure, items in sorted(tyres.items(), reverse=True)}
+            bench["tyre"] = {
+                f"{1e-6 * pressure:g} MPa": self._tests(items)
+                for pressure, items in sorted(tyres.items(), reverse=True)
+            }
         asked = {row.pressure for row in self.rows.values() if row.pressure is not None}
         for pressure in sorted(asked - set(tyres)) if tyres else ():
-            text = f"no tyre test at {1e-6 * pressure:g} MPa, at which trials were run: interpolated between the others"
-            self._note("bench.tyre", "warning", text, pressure)
+            self._note("no_tyre_test_at", "bench.tyre", pressure, pressure=pressure)
         if decays:
             bench["decay"] = {"files": [self._relative(item.file) for item in decays]}
             columns = {name: label for item in decays for name, label in item.columns.items()}
@@ -279,7 +283,11 @@ class _Maker:
     def _roads(self) -> dict[str, Any]:
         obstacle = self.laboratory.obstacle
         roads: dict[str, Any] = {
-            "A": {"kind": obstacle.shape, "height": f"{1e3 * obstacle.height:g} mm", "length": f"{1e3 * obstacle.length:g} mm"}
+            "A": {
+                "kind": obstacle.shape,
+                "height": f"{1e3 * obstacle.height:g} mm",
+                "length": f"{1e3 * obstacle.length:g} mm",
+            }
         }
         for row in self.rows.values():
             if row.pitch is not None:
@@ -294,14 +302,15 @@ class _Maker:
         for number, row in self.rows.items():
             item = records.get(number)
             if item is None:
-                self._note(f"trial {number}", "warning", "no record has its number: left out")
+                self._note("no_record", f"trial {number}")
                 continue
-            if item.pressure is not None and row.pressure is not None and abs(item.pressure / row.pressure - 1.0) > 0.02:
-                text = (
-                    f"its name says {1e-6 * item.pressure:g} MPa, the table {1e-6 * row.pressure:g} MPa for trial {number}; "
-                    "the table is used"
-                )
-                self._note(item.file.name, "warning", text, item.pressure)
+            if (
+                item.pressure is not None
+                and row.pressure is not None
+                and abs(item.pressure / row.pressure - 1.0) > 0.02
+            ):
+                numbers = {"named": item.pressure, "listed": row.pressure, "number": number}
+                self._note("name_and_table_differ", item.file.name, item.pressure, **numbers)
             table: dict[str, Any] = {"number": number}
             if row.speed is not None:
                 table["speed"] = f"{row.speed:g} m/s"
@@ -309,7 +318,7 @@ class _Maker:
                 table["strut_angle"] = f"{math.degrees(row.angle):g} deg"
             pressure = row.pressure if row.pressure is not None else item.pressure
             if pressure is None:
-                self._note(f"trial {number}", "warning", "no pressure in the table or the name: that of the first tyre test")
+                self._note("no_pressure", f"trial {number}")
             else:
                 table["tyre_pressure"] = f"{1e-6 * pressure:g} MPa"
             yield table | {
@@ -319,9 +328,9 @@ class _Maker:
             }
         for item in self._of("trial"):
             if item.number is None:
-                self._note(item.file.name, "warning", "its name has no number of a trial: left out")
+                self._note("no_number", item.file.name)
             elif item.number not in self.rows:
-                self._note(item.file.name, "warning", f"the table has no trial {item.number}: left out")
+                self._note("not_in_table", item.file.name, number=item.number)
 
     def _records(self) -> Mapping[int, RecognisedFile]:
         return {item.number: item for item in self._of("trial") if item.number is not None}
@@ -346,7 +355,12 @@ class _Maker:
         if self.strategies == "default":
             yield {
                 "name": "stiffness, damping and friction",
-                "free": {"strut.spring.rate": "20 %", **bounds, "tyre.stiffness": "20 %", "guide.friction.force": ["0 N", "40 N"]},
+                "free": {
+                    "strut.spring.rate": "20 %",
+                    **bounds,
+                    "tyre.stiffness": "20 %",
+                    "guide.friction.force": ["0 N", "40 N"],
+                },
                 **usual,
             }
             return

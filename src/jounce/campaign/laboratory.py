@@ -121,7 +121,7 @@ _TRAIN = 5
 
 
 def read_trials(path: Path | str) -> list[TrialRow]:
-    """Read a table of trials (CSV or XLSX): a blank cell has the value above it, as in the paper's Table 2.
+    r"""Read a table of trials (CSV or XLSX): a blank cell has the value above it, as in the paper's Table 2.
 
     Columns are found by their words: trial, speed, angle, pressure, profile (``A``: one obstacle, ``B``: five) and
     pitch; a profile may say its pitch, ``"B 0.10 m"``.
@@ -135,7 +135,8 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     --------
     >>> import tempfile
     >>> file = Path(tempfile.mkdtemp()) / "trials.csv"
-    >>> _ = file.write_text("trial,speed [m/s],angle [deg],p [MPa],profile\\n1,1.95,26,0.31,A\\n2,2.86,,,\\n4,1.97,,,B 0.10\\n")
+    >>> table = "trial,speed [m/s],angle [deg],p [MPa],profile\\n1,1.95,26,0.31,A\\n2,2.86,,,\\n4,1.97,,,B 0.10\\n"
+    >>> _ = file.write_text(table)
     >>> [(row.number, row.speed, row.count, row.pitch) for row in read_trials(file)]
     [(1, 1.95, 1, None), (2, 2.86, 1, None), (4, 1.97, 5, 0.1)]
     """
@@ -213,7 +214,9 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
         if inside and "pitch" not in values:
             values["pitch"] = _size(f"{inside[1]} {inside[2] or 'm'}", "m", "m", where)
         if "pitch" not in values:
-            raise RecordingError("a train without a pitch", where=where, found=profile, allowed='"B 0.10 m", or a column pitch')
+            raise RecordingError(
+                "a train without a pitch", where=where, found=profile, allowed='"B 0.10 m", or a column pitch'
+            )
     else:
         values.pop("pitch", None)
     return TrialRow.model_validate(values)

@@ -100,7 +100,9 @@ def recognised(file: Path, settings: Laboratory | None = None) -> RecognisedFile
     if file.suffix == ".toml":
         text = file.read_text(encoding="utf-8", errors="replace")
         is_settings = "jounce.laboratory/" in text
-        return RecognisedFile(file, "settings" if is_settings else "unknown", "its schema" if is_settings else "a TOML file")
+        return RecognisedFile(
+            file, "settings" if is_settings else "unknown", "its schema" if is_settings else "a TOML file"
+        )
     if not any(file.suffix.lower() in reader.suffixes for reader in READERS):
         return RecognisedFile(file, "unknown", f"no reader for {file.suffix or 'files without a suffix'}")
     if _is_table(file):
@@ -163,7 +165,9 @@ def _kind_of_unit(unit: str) -> str:
 
 
 def _force_deflection(file: Path, table: ColumnTable, length: str, force: str) -> RecognisedFile:
-    x, f = (table[label].values * conversion_factor(table[label].unit, si) for label, si in ((length, "m"), (force, "N")))
+    x, f = (
+        table[label].values * conversion_factor(table[label].unit, si) for label, si in ((length, "m"), (force, "N"))
+    )
     rate = float(np.polyfit(x, f, 1)[0]) if np.ptp(x) > 0.0 else 0.0
     columns = {}
     if table[length].name != "displacement":
@@ -224,7 +228,11 @@ def _falls(values: Array) -> bool:
         return False
     centred = values - np.median(values[-len(values) // 4 :])
     parts = [float(np.std(part)) for part in np.array_split(centred, 4)]
-    return parts[0] > 0.0 and all(b < _FALLS * parts[0] for b in parts[1:]) and float(np.argmax(np.abs(centred))) < 0.25 * len(values)
+    return (
+        parts[0] > 0.0
+        and all(b < _FALLS * parts[0] for b in parts[1:])
+        and float(np.argmax(np.abs(centred))) < 0.25 * len(values)
+    )
 
 
 def _lasts(time: Array, unit: str) -> str:
@@ -244,6 +252,14 @@ def _numbered(files: list[RecognisedFile]) -> list[RecognisedFile]:
         return files
     by_file = {item.file: row[-place] for item, row in zip(trials, numbers, strict=True)}
     return [
-        RecognisedFile(item.file, item.kind, item.why, item.columns, by_file.get(item.file), _pressure(item.file.stem) if item.kind == "trial" else item.pressure, item.doubt)
+        RecognisedFile(
+            item.file,
+            item.kind,
+            item.why,
+            item.columns,
+            by_file.get(item.file),
+            _pressure(item.file.stem) if item.kind == "trial" else item.pressure,
+            item.doubt,
+        )
         for item in files
     ]

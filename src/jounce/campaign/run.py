@@ -357,7 +357,10 @@ class Runner:
             name = f"trial {number}"
             try:
                 trial, facts = placed(
-                    self.fit_trial(item, knowledge), self.campaign.belt, item.entry.speed, item.entry.passage, item.pulses
+                    self.fit_trial(item, knowledge),
+                    item.entry.speed,
+                    item.entry.passage,
+                    item.pulses,
                 )
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
                 self.findings.append(finding("campaign.trial_left_out", name, error=reason(error)))

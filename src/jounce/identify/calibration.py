@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.identify.estimate import Estimate, estimate
@@ -112,14 +112,11 @@ def fit_calibration(
     findings = []
     if residual > _NOT_STRAIGHT:
         worst = int(np.argmax(np.abs(left)))
-        text = (
-            f"the point at {x[worst]:.4g} {unit} lies {100.0 * residual:.2g} % of the range off the line: a slip, or a "
-            "sensor that is not straight"
+        findings.append(
+            finding("identify.off_the_line", name, residual, point=float(x[worst]), unit=unit, share=residual)
         )
-        findings.append(Finding(name, "warning", text, residual))
     if freedom == 0:
-        text = "two points leave no residual: nothing tells how well the sensitivity is known; take a third one"
-        findings.append(Finding(name, "note", text))
+        findings.append(finding("identify.two_points", name))
     return Calibration(
         estimate(slope, error, freedom) if error is not None else Estimate(slope),
         estimate(level, zero_error, freedom) if zero_error is not None else Estimate(level),
@@ -133,7 +130,7 @@ def fit_calibration(
 
 
 def read_calibration(path: Path | str) -> Calibration:
-    """Fit the calibration in a file with one column of known sizes and one of what was recorded (V, mV, A, counts).
+    r"""Fit the calibration in a file with one column of known sizes and one of what was recorded (V, mV, A, counts).
 
     A column of angles (of the sensitive axis from the vertical) is a tilt test.
 
@@ -152,7 +149,9 @@ def read_calibration(path: Path | str) -> Calibration:
     file = Path(path)
     table = read_signals(file, ReaderOptions()).columns
     electrical = [(column, si) for column in table for si in ("V", "A") if column.unit and is_unit_of(column.unit, si)]
-    counts = [(column, "1") for column in table if not column.unit or column.unit.casefold() in ("counts", "count", "lsb")]
+    counts = [
+        (column, "1") for column in table if not column.unit or column.unit.casefold() in ("counts", "count", "lsb")
+    ]
     recorded = (electrical or counts)[:1]
     sizes = [column for column in table if not recorded or column is not recorded[0][0]]
     unit = next((si for si in ("rad", "m/s^2", "m", "N", "Pa", "m/s") if sizes and is_unit_of(sizes[0].unit, si)), None)

@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 
 from jounce.core.errors import FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import positive_si
@@ -313,9 +313,7 @@ _SHARE = 0.6
 """Share of the best score from which on another place is a passage, too."""
 
 
-def _at_onset(
-    onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None
-) -> np.ndarray:
+def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None) -> np.ndarray:
     """Move passages to where the record begins to look like the response to the first obstacle, evenly apart.
 
     What follows in a train depends too much on masses and damping. From the surest passage on, the next ones are looked
@@ -365,8 +363,7 @@ def _fractions(like: Array, at: np.ndarray) -> Array:
 def _sign_finding(sign: int, names: Sequence[str], where: str) -> list[Finding]:
     if sign > 0:
         return []
-    text = "the record is the model's response upside down; is a sensor mounted the other way (orientation = -1)?"
-    return [Finding(f"{where}: {', '.join(names)}", "warning", text)]
+    return [finding("identify.upside_down", f"{where}: {', '.join(names)}")]
 
 
 # loops ----------------------------------------------------------------------------------------------------------------
@@ -389,11 +386,8 @@ def _looped(
     period = float((times[-1] - times[0]) / whole.sum())
     speed = belt / period
     if abs(speed / stated - 1.0) > _SLIPS:
-        text = (
-            f"passages come every {period:.4g} s, which is {speed:.4g} m/s on a belt of {belt:.4g} m; "
-            f"stated are {stated:.4g} m/s. Check the belt's length, and whether the records of trials were exchanged"
-        )
-        findings.append(Finding(where, "warning", text, speed))
+        numbers = {"period": period, "speed": speed, "belt": belt, "stated": stated}
+        findings.append(finding("identify.other_speed", where, speed, **numbers))
     time = np.asarray(data["time"].to_numpy(), dtype=float)
     step = float(time[-1] - time[0]) / (len(time) - 1)
     count = max(round(period / step), 8)
@@ -403,11 +397,8 @@ def _looped(
     kept = _alike(loops)
     odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~kept))
     if odd:
-        text = (
-            f"passage{'s' * (len(odd) > 1)} {', '.join(map(str, odd))} of {len(times)} "
-            f"{'are' if len(odd) > 1 else 'is'} unlike the others and left out of the average"
-        )
-        findings.append(Finding(where, "warning", text, float(len(odd))))
+        listed = ", ".join(map(str, odd))
+        findings.append(finding("identify.odd_passages", where, float(len(odd)), odd=listed, count=len(times)))
     mean, scatter = loops[kept].mean(axis=0), loops[kept].std(axis=0, ddof=1)
     clock = np.arange(count) * (period / count)
 
@@ -422,7 +413,15 @@ def _looped(
     spread = np.sqrt(np.mean(scatter**2, axis=1))
     repeat = {name: float(s / m) if m > 0.0 else math.inf for name, s, m in zip(names, spread, size, strict=True)}
     return Passages(
-        tuple(map(float, times)), likeness, speed, period, recorded(mean), recorded(scatter), repeat, odd, tuple(findings)
+        tuple(map(float, times)),
+        likeness,
+        speed,
+        period,
+        recorded(mean),
+        recorded(scatter),
+        repeat,
+        odd,
+        tuple(findings),
     )
 
 

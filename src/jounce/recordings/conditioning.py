@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.units import conversion_factor, is_unit_of, to_si
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.schema import channel_unit, describe, place_of
@@ -94,7 +94,9 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     if given is None or not is_unit_of(per, unit):
         wrong = match["unit"].strip() if given is None else per
         allowed = f"{_EXAMPLES}; behind the stroke a unit that converts to {unit}"
-        raise DescriptionError(f"the unit {wrong!r} does not fit a sensitivity", where=where, found=text, allowed=allowed)
+        raise DescriptionError(
+            f"the unit {wrong!r} does not fit a sensitivity", where=where, found=text, allowed=allowed
+        )
     size = to_si(match["above"], "1", where=where) * _factor(match["unit"].strip(), given)
     below = to_si(match["below"] or "1", "1", where=where) * conversion_factor(per, unit, where=where)
     if size == 0.0 or below == 0.0:
@@ -186,11 +188,8 @@ def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterat
         return
     share = float(np.mean((values <= ends[0] * _AT_END) | (values >= ends[1] * _AT_END)))
     if share > 0.0:
-        text = (
-            f"{100.0 * share:.2g} % of its samples lie at the end of the range of {ends[1]:.4g} {channel_unit(name)}; "
-            "the model's signal is cut there, too"
-        )
-        yield Finding(f"{where}: {name}", "warning", text, share)
+        numbers = {"share": share, "end": ends[1], "unit": channel_unit(name)}
+        yield finding("recordings.at_end_of_range", f"{where}: {name}", share, **numbers)
 
 
 _AT_END = 1.0 - 1e-3

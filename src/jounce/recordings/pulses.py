@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, Severity, finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -200,6 +200,8 @@ def _over_a_turn(seen: Array, distance: Array, per_turn: int) -> Array:
 
 
 _VARIES = 3.0  # resolutions: what sampling alone exceeds in one of 400 records
+_STEADY = 0.002  # share of the speed by which a belt on an inverter swings at least
+_MANY = 0.1  # share of missing pulses from which on the sensor should be looked at
 
 
 def _findings(
@@ -207,9 +209,9 @@ def _findings(
 ) -> list[Finding]:
     found = []
     if missing or doubled:
-        text = f"{missing} of {count + missing} pulses are missing and {doubled} were seen twice; both were corrected"
-        found.append(Finding(where, "warning" if missing > 0.1 * count else "note", text, float(missing)))
-    if variation > _VARIES * resolution and variation > 0.002 * mean:
-        text = f"the speed varies by {100.0 * variation / mean:.2g} % (standard deviation) about {mean:.4g} m/s"
-        found.append(Finding(where, "note", text, variation))
+        severity: Severity = "warning" if missing > _MANY * count else "note"
+        numbers = {"missing": missing, "count": count + missing, "doubled": doubled}
+        found.append(finding("recordings.pulses_corrected", where, float(missing), severity=severity, **numbers))
+    if variation > _VARIES * resolution and variation > _STEADY * mean:
+        found.append(finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean))
     return found
