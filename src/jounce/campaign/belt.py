@@ -74,11 +74,10 @@ class Belt(Description):
         """Whether a trial's speed follows from its pulses."""
         return bool(self.column and self.pulses and self.radius)
 
-    def columns(self) -> dict[str, str]:
-        """Where the pulses are, as ``columns`` of a recording."""
-        if not self.column:
-            return {}
-        return {PULSES: self.column if self.column.rstrip().endswith("]") else f"{self.column} [V]"}
+    @property
+    def sensors(self) -> dict[str, Sensor]:
+        """The photo sensor, where its column is known."""
+        return {PULSES: Sensor(column=self.column)} if self.column else {}
 
     def speed(self, measured: xr.Dataset, where: str) -> PulseSpeed | None:
         """Speed of the cylinder's surface in a record; None without pulses."""

@@ -254,7 +254,7 @@ def load_trial(
 ) -> tuple[_Loaded, list[Finding]]:
     """Read what a trial needs, and refuse what cannot be compared with a simulation."""
     belt, sensors = (None, {}) if campaign is None else (campaign.belt, campaign.sensors)
-    measured, notes = entry.read(folder / entry.recording, folder, sensors, belt.columns() if belt else None)
+    measured, notes = entry.read(folder / entry.recording, folder, {**sensors, **(belt.sensors if belt else {})})
     measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
     measured = _window(measured, entry)
     duration = entry.duration or float(measured["time"][-1])

@@ -323,8 +323,12 @@ def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int,
     surest = max((_best(whole, int(i), reach) for i in at), key=lambda i: float(whole[i]))
     if period is None:
         return np.array([surest])
-    if len(at) > 2:
-        period, wide = float(np.median(np.diff(at))), near
+    apart = np.diff(at)
+    likely = apart[np.abs(apart / period - 1.0) < _SLIPS]
+    if len(likely) < 2 and len(apart) > 1 and np.ptp(apart) < _EVEN * np.median(apart):
+        likely = apart  # the speed is another one than stated
+    if len(likely) > 1:
+        period, wide = float(np.median(likely)), near
     else:
         wide = max(near, round(_SLIPS * period))
     found = {0: surest}
@@ -340,6 +344,8 @@ def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int,
     return np.array([found[number] for number in sorted(found)])
 
 
+_EVEN = 0.05
+"""Share by which passages that no stated speed explains may be unevenly apart."""
 _SURE = 0.7
 """Correlation with the onset from which on a passage counts that was expected there."""
 
@@ -398,7 +404,9 @@ def _looped(
     odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~kept))
     if odd:
         listed = ", ".join(map(str, odd))
-        findings.append(finding("identify.odd_passages", where, float(len(odd)), odd=listed, count=len(times)))
+        is_alternating = len(odd) > 2 and set(np.diff(odd)) == {2} and len(odd) >= (len(loops) - 1) // 2
+        code = "identify.alternating_passages" if is_alternating else "identify.odd_passages"
+        findings.append(finding(code, where, float(len(odd)), odd=listed, count=len(times)))
     mean, scatter = loops[kept].mean(axis=0), loops[kept].std(axis=0, ddof=1)
     clock = np.arange(count) * (period / count)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.columns import ColumnTable, name_and_unit
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
 from jounce.core.units import conversion_factor, is_unit_of, to_si
@@ -117,23 +118,24 @@ def _factor(unit: str, si: str) -> float:
 # reading --------------------------------------------------------------------------------------------------------------
 
 
-def electrical_columns(sensors: Mapping[str, Sensor]) -> dict[str, str]:
-    """Map what the card recorded of each sensor to its column of the file, as ``columns`` of `read_recording`.
+def electrical_columns(sensors: Mapping[str, Sensor], tables: Iterable[ColumnTable]) -> dict[str, str]:
+    """Map the channels that sensors record to their columns in a file, as ``columns`` of `read_recording`.
 
-    >>> from jounce.recordings import Sensor
-    >>> electrical_columns({"sprung.az": Sensor(column="ch0", sensitivity="100 mV/g")})
-    {'sprung.az.voltage': 'ch0 [V]'}
+    A column without a unit is in V, A or counts, as the sensitivity ends; columns that the file lacks are left out.
     """
-    columns = {}
+    columns, known = {}, [column for table in tables for column in table]
     for name, sensor in sensors.items():
         if not sensor.column:
             continue
-        has_unit = sensor.column.rstrip().endswith("]")
+        recorded = "V"
         if sensor.sensitivity:
             recorded = sensitivity_of(sensor.sensitivity, channel_unit(name), where=f"sensors: {name}").recorded
-            columns[f"{name}.{ELECTRICAL[recorded]}"] = sensor.column if has_unit else f"{sensor.column} [{recorded}]"
-        else:
-            columns[name] = sensor.column
+            name = f"{name}.{ELECTRICAL[recorded]}"  # noqa: PLW2901
+        plain = name_and_unit(sensor.column)[0]
+        there = next((c for c in known if plain in (c.name, c.label, c.written) or sensor.column == c.label), None)
+        if there is not None:
+            bare = not there.unit and sensor.column == plain and name in raw_names([name])
+            columns[name] = f"{plain} [{recorded}]" if bare else sensor.column
     return columns
 
 

@@ -101,11 +101,7 @@ def read_recording(
         import xarray  # noqa: F401
     signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
-    mapping |= {
-        name: column
-        for name, column in electrical_columns(sensors or {}).items()
-        if name not in mapping and any(_is_home(table, column) for table in signals.tables)
-    }
+    mapping = {**electrical_columns(sensors or {}, signals.tables), **mapping}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     recorded = _own_time(signals, mapping) if given_step is not None else None

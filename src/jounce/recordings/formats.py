@@ -41,21 +41,14 @@ class RecordingFormat(TableFormat):
     database: str = ""
 
     def read(
-        self,
-        file: Path,
-        folder: Path,
-        sensors: Mapping[str, Sensor] | None = None,
-        columns: Mapping[str, str] | None = None,
+        self, file: Path, folder: Path, sensors: Mapping[str, Sensor] | None = None
     ) -> tuple[xr.Dataset, list[Finding]]:
-        """Read a recording; the database is relative to the folder of the description.
-
-        ``columns`` are others than those of the description.
-        """
+        """Read a recording; a relative database path starts at the folder of the description."""
         from jounce.recordings.files import read_recording
 
         return read_recording(
             file,
-            columns={**(columns or {}), **self.columns} or None,
+            columns=self.columns or None,
             sample_time=self.sample_time,
             variable=self.variable,
             resample=self.resample,

@@ -21,6 +21,8 @@ _HYSTERESIS = 0.25
 """Share of the height of the pulses around their middle within which noise makes no edge."""
 _LEAST_CONTRAST = 4.0
 """Height of the pulses over the scatter of the signal between them, below which nothing can be counted."""
+_NOT_BETWEEN = 0.6
+"""Share of samples around the middle from which on a signal is none of marks: of a sine a third, of noise nearly all."""
 _PLAUSIBLE = 150.0
 """Speed (m/s) beyond which no belt and no wheel runs: the same as for channels of speed."""
 
@@ -137,7 +139,8 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
     middle, height = 0.5 * (low + high), high - low
     below = signal[signal < middle]
     scatter = 1.4826 * float(np.median(np.abs(below - np.median(below)))) if below.size else 0.0
-    if height <= 0.0 or height < _LEAST_CONTRAST * scatter:
+    between = float(np.mean(np.abs(signal - middle) < _HYSTERESIS * height))
+    if height <= 0.0 or height < _LEAST_CONTRAST * scatter or between > _NOT_BETWEEN:
         raise RecordingError(
             "no pulses: the signal has no two levels",
             where=where,

@@ -36,6 +36,7 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "angular_velocity": ("rad/s", "angular velocity"),
     "camber": ("rad", "camber angle"),
     "command": ("1", "controller command"),
+    "counts": ("1", "counts of a converter"),
     "current": ("A", "electric current"),
     "deflection": ("m", "deflection"),
     "deflection_velocity": ("m/s", "deflection velocity"),

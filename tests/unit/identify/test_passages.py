@@ -1,0 +1,150 @@
+"""Passages of obstacles in records that begin anywhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import jounce as jn
+from jounce.core.errors import FitError
+from jounce.identify.fit_problem import FitTrial
+from jounce.identify.passages import averaged_trial, find_passages, loops_before, running_trial
+from jounce.recordings import Sensor
+
+ONE = jn.HalfSine(height="10 mm", length="60 mm")
+BELT = 1.97
+RIG = jn.load("kart-quarter-car")
+OTHER = {"strut.spring.rate": "24 N/mm", "strut.damper.coefficient": "190 N*s/m", "tyre.stiffness": "130 N/mm"}
+
+
+def record(road: jn.Road, speed: float, *, begin: float = 3.3, duration: float = 5.0) -> xr.Dataset:
+    """Accelerations of a rig unlike the one that looks for them, on a belt that has been running."""
+    run = jn.simulate(RIG.with_changes(OTHER), jn.Trial(road=road, speed=speed, duration=begin + duration))
+    part = run[["sprung.az", "unsprung.az"]].sel(time=slice(begin, None))
+    draw = np.random.default_rng(1)
+    for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
+        part[name] = part[name] + noise * draw.standard_normal(part.sizes["time"])
+        part[name].attrs = run[name].attrs
+    return part.assign_coords(time=("time", part["time"].to_numpy() - begin, run["time"].attrs))
+
+
+def on_belt(road: jn.Road) -> jn.Road:
+    fields = {name: getattr(road, name) for name in road.model_fields_set}
+    return type(road).model_validate({**fields, "recurrence": BELT})
+
+
+@pytest.mark.parametrize("speed", [1.95, 2.86, 3.87])
+@pytest.mark.parametrize("pitch", [None, 0.10, 0.15, 0.20])
+def test_every_passage_is_found_and_timed(speed: float, pitch: float | None) -> None:
+    road = on_belt(ONE if pitch is None else jn.Train(of=ONE, count=5, pitch=pitch))
+    found = find_passages(record(road, speed), RIG, road, 1.02 * speed)
+    first = np.arange(20) * BELT / speed - 3.3  # the first obstacle stands where the run begins
+    expected = first[(first > 0.0) & (first < 5.0)]
+    inside = expected[expected < 4.85]
+    assert len(found.times) in (len(inside), len(expected))
+    away = [min(abs(time - other) for other in expected) for time in found.times]
+    assert max(away) < 2.5e-3
+    assert found.speed == pytest.approx(speed, rel=5e-4)
+    assert found.loop is not None
+    assert found.loop.sizes["time"] == pytest.approx(BELT / speed * 1000.0, abs=1)
+    assert max(found.repeatability.values()) < 0.1
+    if (speed, pitch) == (3.87, 0.20):  # the motion repeats after two loops only
+        assert found.odd == (2, 4, 6, 8)
+        assert [item.code for item in found.findings] == ["identify.alternating_passages"]
+    else:
+        assert not found.odd
+
+
+def test_a_single_obstacle_is_found_where_it_is() -> None:
+    late = ONE.model_copy(update={"start": 1.76 * 1.95})
+    run = jn.simulate(RIG.with_changes(OTHER), jn.Trial(road=late, speed=1.95, duration=3.0))[
+        ["sprung.az", "unsprung.az"]
+    ]
+    found = find_passages(run, RIG, ONE, 1.95)
+    assert found.times == pytest.approx((1.76,), abs=2e-3)
+    assert found.period is None
+    assert found.loop is None
+
+
+def test_an_obstacle_that_never_comes_is_said() -> None:
+    time = np.arange(0.0, 3.0, 1e-3)
+    noise = np.random.default_rng(2).standard_normal(time.size)
+    quiet = jn.recording(time, {"sprung.az": (0.2 * noise, "m/s^2", ""), "unsprung.az": (noise, "m/s^2", "")})
+    with pytest.raises(FitError, match="the obstacle is not found") as refused:
+        find_passages(quiet, RIG, on_belt(ONE), 1.95, name="trial 3")
+    assert "half-sine of 0.06 m at 1.95 m/s in sprung.az, unsprung.az" in refused.value.allowed
+
+
+def test_a_record_upside_down_is_found_and_said() -> None:
+    road = on_belt(ONE)
+    turned = -record(road, 1.95)
+    for name in turned.data_vars:
+        turned[name].attrs = {"units": "m/s^2"}
+    found = find_passages(turned, RIG, road, 1.95)
+    assert len(found.times) in (4, 5)
+    assert [item.code for item in found.findings] == ["identify.upside_down"]
+    mounted = {name: Sensor(orientation=-1) for name in map(str, turned.data_vars)}
+    assert not find_passages(turned, RIG, road, 1.95, sensors=mounted).findings
+
+
+def test_a_speed_that_cannot_be_is_asked_about() -> None:
+    road = on_belt(ONE)
+    found = find_passages(record(road, 1.95), RIG, road, 1.7)
+    assert [item.code for item in found.findings] == ["identify.other_speed"]
+    assert found.speed == pytest.approx(1.95, rel=1e-3)
+
+
+def test_an_odd_passage_is_named_and_left_out() -> None:
+    road = on_belt(ONE)
+    data = record(road, 3.87)
+    plain = find_passages(data, RIG, road, 3.87)
+    struck = data.copy(deep=True)
+    time = struck["time"].to_numpy()
+    hit = np.abs(time - (plain.times[3] + 0.2)) < 0.01
+    struck["sprung.az"] = struck["sprung.az"] + np.where(hit, 60.0, 0.0)
+    struck["sprung.az"].attrs = data["sprung.az"].attrs
+    found = find_passages(struck, RIG, road, 3.87)
+    assert found.odd == (4,)
+    assert [item.code for item in found.findings] == ["identify.odd_passages"]
+
+
+def test_the_average_is_less_noisy_than_a_loop() -> None:
+    road = on_belt(ONE)
+    found = find_passages(record(road, 3.87), RIG, road, 3.87)
+    trial, begin = running_trial(RIG, road, found.speed)
+    truth = jn.simulate(RIG.with_changes(OTHER), trial, tolerance=1e-7)
+    time = found.loop["time"].to_numpy()
+    for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
+        wanted = np.interp(time + begin, truth["time"].to_numpy(), truth[name].to_numpy())
+        left = found.loop[name].to_numpy() - wanted
+        shifted = min(np.std(np.roll(left + wanted, k) - wanted) for k in (-3, -2, -1, 0, 1, 2, 3))
+        assert np.median(found.scatter[name]) == pytest.approx(noise, rel=0.3)
+        assert shifted < 3.0 * noise
+
+
+def test_a_running_belt_is_periodic_after_its_loops() -> None:
+    road, speed = on_belt(ONE), 3.87
+    trial, begin = running_trial(RIG, road, speed)
+    run = jn.simulate(RIG, trial, tolerance=1e-7)
+    period = BELT / speed
+    assert begin == pytest.approx(loops_before(RIG, period) * period)
+    longer = jn.simulate(RIG, trial.model_copy(update={"duration": 20.0 * period}), tolerance=1e-7)
+    grid = np.linspace(0.0, period, 200, endpoint=False)
+    first, last = (
+        np.interp(grid + at, one["time"].to_numpy(), one["sprung.z"].to_numpy())
+        for one, at in ((run, begin), (longer, 18.0 * period))
+    )
+    assert np.max(np.abs(first - last)) < 2e-3 * np.ptp(last)
+
+
+def test_an_averaged_trial_explains_its_record() -> None:
+    road = on_belt(ONE)
+    data = record(road, 3.87)
+    right = RIG.with_changes(OTHER)
+    trial = FitTrial("one", right, jn.Trial(road=road, speed=3.87, duration=5.0), data)
+    averaged = averaged_trial(trial, find_passages(data, right, road, 3.87))
+    found = jn.update_model([averaged], {"strut.spring.rate": "10 %"}, align="lag", weights="normalised")
+    assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=2e-3)
+    with pytest.raises(FitError, match="no loop of a belt"):
+        averaged_trial(trial, find_passages(data.sel(time=slice(0.0, 0.45)), right, ONE, 3.87))
