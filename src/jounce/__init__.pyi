@@ -13,6 +13,7 @@ from .bench.springs import SpringChoice as SpringChoice
 from .bench.springs import compare_springs as compare_springs
 from .campaign import BenchTruth as BenchTruth
 from .campaign import CampaignResult as CampaignResult
+from .campaign import campaign_from_folder as campaign_from_folder
 from .campaign import load_truth as load_truth
 from .campaign import new_campaign as new_campaign
 from .campaign import run_campaign as run_campaign
@@ -73,6 +74,9 @@ from .exchange.mjcf import write_mjcf as write_mjcf
 from .exchange.points import write_hardpoints as write_hardpoints
 from .exchange.roads import RoadExport as RoadExport
 from .exchange.roads import write_road as write_road
+from .identify.calibration import Calibration as Calibration
+from .identify.calibration import fit_calibration as fit_calibration
+from .identify.calibration import read_calibration as read_calibration
 from .identify.damper import DamperCurve as DamperCurve
 from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve
@@ -86,6 +90,8 @@ from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTr
 from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
 from .identify.next_trial import Candidate as Candidate
 from .identify.next_trial import next_trials as next_trials
+from .identify.passages import Passages as Passages
+from .identify.passages import find_passages as find_passages
 from .identify.posterior import Posterior as Posterior
 from .identify.posterior import posterior as posterior
 from .identify.posterior import posterior_of as posterior_of

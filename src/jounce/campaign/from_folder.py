@@ -17,6 +17,7 @@ from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_l
 from jounce.campaign.recognise import RecognisedFile, recognise
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.serialise import to_plain
 from jounce.core.shown import Shown
 from jounce.core.writing import write_files
 from jounce.identify.calibration import Calibration, read_calibration
@@ -49,6 +50,22 @@ class FolderCampaign(Shown):
     campaign: Path
     files: tuple[RecognisedFile, ...]
     findings: tuple[Finding, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data: files with what they were taken for, and findings."""
+        files = [
+            {
+                "file": item.file.name,
+                "kind": item.kind,
+                "why": item.why,
+                "columns": item.columns,
+                "number": item.number,
+                "pressure": item.pressure,
+                "doubt": item.doubt,
+            }
+            for item in self.files
+        ]
+        return {"campaign": str(self.campaign), "files": files, "findings": to_plain(list(self.findings))}
 
 
 def campaign_from_folder(

@@ -18,13 +18,14 @@ from jounce.cli.options import (
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress
 from jounce.core.commands import command_line
+from jounce.core.errors import DescriptionError
 from jounce.core.optional import require
 from jounce.core.typed import positive_quantity
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.campaign import Campaign, CampaignResult
+    from jounce.campaign import Campaign, CampaignResult, FolderCampaign
     from jounce.core.findings import Finding
     from jounce.identify.posterior import Posterior
     from jounce.identify.prediction import PredictionBand
@@ -42,6 +43,13 @@ class ReportKind(StrEnum):
 
     HTML = "html"
     PDF = "pdf"
+
+
+class StrategyChoice(StrEnum):
+    """Updates of a campaign that is made of a folder."""
+
+    DEFAULT = "default"
+    PAPER = "paper"
 
 
 class FigureKind(StrEnum):
@@ -155,15 +163,34 @@ def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[l
 @app.command("new")
 def new(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to create.")],
+    source: Annotated[
+        Path | None,
+        typer.Option(
+            "--from", metavar="FOLDER", help="Folder of measured files: recognised, and made into a campaign."
+        ),
+    ] = None,
+    settings: Annotated[
+        Path | None,
+        typer.Option(help="Settings of the laboratory; by default the file of that kind in --from."),
+    ] = None,
+    strategies: Annotated[
+        StrategyChoice, typer.Option(help="Updates: one with all parameters, or the three of the prototype paper.")
+    ] = StrategyChoice.DEFAULT,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Write a commented campaign to start from.
+    """Write a commented campaign to start from, or the one that a folder of measured files makes.
 
-    Example: jounce campaign new my-campaign
+    Example: jounce campaign new my-campaign --from measured
     """
-    from jounce.campaign import new_campaign
+    from jounce.campaign import campaign_from_folder, new_campaign
 
+    if source is not None:
+        made_of = campaign_from_folder(folder, source, settings=settings, strategies=strategies.value, force=force)
+        return _from_folder(made_of, folder, as_json=as_json)
+    if settings is not None or strategies is not StrategyChoice.DEFAULT:
+        option = "--settings" if settings is not None else "--strategies"
+        raise DescriptionError("goes with measured files", where=option, hint="Give their folder with --from.")
     campaign = new_campaign(folder, force=force)
     made = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())
 
@@ -174,6 +201,20 @@ def new(
             console.print(f"  {command_line(['jounce', *words])}", soft_wrap=True)
 
     return Reply({"folder": str(folder), "files": made}, draw, as_json)
+
+
+def _from_folder(made: FolderCampaign, folder: Path, *, as_json: bool) -> Reply:
+    """What each file was taken for, what is missing, and how to go on."""
+    plain = {"folder": str(folder), **made.to_dict()}
+
+    def draw(console: Console) -> None:
+        from jounce.cli.terminal import show_page
+        from jounce.report.laboratory import folder_page
+
+        show_page(console, folder_page(made, title=str(folder)))
+        console.print(f"Next: {command_line(['jounce', 'campaign', 'run', str(made.campaign), '--out', 'results'])}")
+
+    return Reply(plain, draw, as_json)
 
 
 @app.command("synthesise")

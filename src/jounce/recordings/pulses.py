@@ -22,7 +22,7 @@ _HYSTERESIS = 0.25
 _LEAST_CONTRAST = 4.0
 """Height of the pulses over the scatter of the signal between them, below which nothing can be counted."""
 _NOT_BETWEEN = 0.6
-"""Share of samples around the middle from which on a signal is none of marks: of a sine a third, of noise nearly all."""
+"""Share of samples around the middle from which on a signal has no marks: of a sine a third, of noise nearly all."""
 _PLAUSIBLE = 150.0
 """Speed (m/s) beyond which no belt and no wheel runs: the same as for channels of speed."""
 
