@@ -4,8 +4,8 @@ from .description import Campaign as Campaign
 from .description import load_campaign as load_campaign
 from .from_folder import FolderCampaign as FolderCampaign
 from .from_folder import campaign_from_folder as campaign_from_folder
-from .recognise import RecognisedFile as RecognisedFile
-from .recognise import recognise as recognise
+from .recogniser import RecognisedFile as RecognisedFile
+from .recogniser import recognise as recognise
 from .result import CampaignResult as CampaignResult
 from .result import StrategyResult as StrategyResult
 from .result import TrialResult as TrialResult

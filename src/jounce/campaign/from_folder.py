@@ -14,7 +14,7 @@ from typing import Any, Literal
 import tomlkit
 
 from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials
-from jounce.campaign.recognise import RecognisedFile, recognise
+from jounce.campaign.recogniser import RecognisedFile, recognise
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import to_plain
@@ -150,12 +150,12 @@ class _Maker:
         self.rows = {row.number: row for row in self._table()}
         for item in files:
             if item.kind == "unknown":
-                self._note("file_left_out", item.file.name, why=item.why)
+                self._note("campaign.file_left_out", item.file.name, why=item.why)
             elif item.doubt:
-                self._note("file_in_doubt", item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
+                self._note("campaign.file_in_doubt", item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
 
     def _note(self, code: str, place: str, value: float | None = None, **numbers: Any) -> None:
-        self.findings.append(finding(f"campaign.{code}", place, value, **numbers))
+        self.findings.append(finding(code, place, value, **numbers))
 
     def _of(self, kind: str) -> list[RecognisedFile]:
         return [item for item in self.files if item.kind == kind]
@@ -237,12 +237,12 @@ class _Maker:
         try:
             found: Calibration = read_calibration(item.file)
         except JounceError as error:
-            self._note("stated_sensitivity_used", item.file.name, error=error)
+            self._note("campaign.stated_sensitivity_used", item.file.name, error=error)
             return {}
         unit = channel_unit(channel.measures)
         if found.quantity_unit != unit:
             numbers = {"unit": found.quantity_unit, "column": column, "channel": channel.measures}
-            self._note("calibrates_another_quantity", item.file.name, **numbers)
+            self._note("campaign.calibrates_another_quantity", item.file.name, **numbers)
             return {}
         self.findings += found.findings
         size, error = abs(found.sensitivity.value), found.gain_doubt
@@ -250,9 +250,9 @@ class _Maker:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
                 share = size / stated - 1.0
-                self._note("calibration_differs", item.file.name, share, share=share, column=column)
+                self._note("campaign.calibration_differs", item.file.name, share, share=share, column=column)
         if found.sensitivity.value < 0.0:
-            self._note("falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
+            self._note("campaign.falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
         table: dict[str, Any] = {"sensitivity": f"{size:.6g} {found.recorded_unit.replace('1', 'counts')}/({unit})"}
         if found.sensitivity.value < 0.0:
             table["orientation"] = -1
@@ -268,11 +268,11 @@ class _Maker:
         if springs:
             bench["spring"] = self._tests(springs)
         else:
-            self._note("no_spring_test", "bench.spring")
+            self._note("campaign.no_spring_test", "bench.spring")
         tyres: dict[float, list[RecognisedFile]] = {}
         for item in self._of("tyre"):
             if item.pressure is None:
-                self._note("tyre_without_pressure", item.file.name)
+                self._note("campaign.tyre_without_pressure", item.file.name)
             else:
                 tyres.setdefault(item.pressure, []).append(item)
         if tyres:
@@ -282,7 +282,7 @@ class _Maker:
             }
         asked = {row.pressure for row in self.rows.values() if row.pressure is not None}
         for pressure in sorted(asked - set(tyres)) if tyres else ():
-            self._note("no_tyre_test_at", "bench.tyre", pressure, pressure=pressure)
+            self._note("campaign.no_tyre_test_at", "bench.tyre", pressure, pressure=pressure)
         if decays:
             bench["decay"] = {"files": [self._relative(item.file) for item in decays]}
             columns = {name: label for item in decays for name, label in item.columns.items()}
@@ -319,7 +319,7 @@ class _Maker:
         for number, row in self.rows.items():
             item = records.get(number)
             if item is None:
-                self._note("no_record", f"trial {number}")
+                self._note("campaign.no_record", f"trial {number}")
                 continue
             if (
                 item.pressure is not None
@@ -327,7 +327,7 @@ class _Maker:
                 and abs(item.pressure / row.pressure - 1.0) > 0.02
             ):
                 numbers = {"named": item.pressure, "listed": row.pressure, "number": number}
-                self._note("name_and_table_differ", item.file.name, item.pressure, **numbers)
+                self._note("campaign.name_and_table_differ", item.file.name, item.pressure, **numbers)
             table: dict[str, Any] = {"number": number}
             if row.speed is not None:
                 table["speed"] = f"{row.speed:g} m/s"
@@ -335,7 +335,7 @@ class _Maker:
                 table["strut_angle"] = f"{math.degrees(row.angle):g} deg"
             pressure = row.pressure if row.pressure is not None else item.pressure
             if pressure is None:
-                self._note("no_pressure", f"trial {number}")
+                self._note("campaign.no_pressure", f"trial {number}")
             else:
                 table["tyre_pressure"] = f"{1e-6 * pressure:g} MPa"
             yield table | {
@@ -345,9 +345,9 @@ class _Maker:
             }
         for item in self._of("trial"):
             if item.number is None:
-                self._note("no_number", item.file.name)
+                self._note("campaign.no_number", item.file.name)
             elif item.number not in self.rows:
-                self._note("not_in_table", item.file.name, number=item.number)
+                self._note("campaign.not_in_table", item.file.name, number=item.number)
 
     def _records(self) -> Mapping[int, RecognisedFile]:
         return {item.number: item for item in self._of("trial") if item.number is not None}

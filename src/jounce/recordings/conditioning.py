@@ -87,7 +87,7 @@ def sensitivity_of(given: str | Sequence[str], unit: str, *, where: str = "sensi
 
 def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     """Size of one link for one SI ``unit``, and the SI unit of what it gives."""
-    match = _RATIO.fullmatch(text) if isinstance(text, str) else None
+    match = _RATIO.fullmatch(text)
     if match is None:
         raise DescriptionError("not a sensitivity with its units", where=where, found=text, allowed=_EXAMPLES)
     per = match["per"].strip("() ")
@@ -190,8 +190,8 @@ def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterat
         return
     share = float(np.mean((values <= ends[0] * _AT_END) | (values >= ends[1] * _AT_END)))
     if share > 0.0:
-        numbers = {"share": share, "end": ends[1], "unit": channel_unit(name)}
-        yield finding("recordings.at_end_of_range", f"{where}: {name}", share, **numbers)
+        unit = channel_unit(name)
+        yield finding("recordings.at_end_of_range", f"{where}: {name}", share, share=share, end=ends[1], unit=unit)
 
 
 _AT_END = 1.0 - 1e-3

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding, Severity, finding
+from jounce.core.catalogue import Severity
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -213,8 +214,17 @@ def _findings(
     found = []
     if missing or doubled:
         severity: Severity = "warning" if missing > _MANY * count else "note"
-        numbers = {"missing": missing, "count": count + missing, "doubled": doubled}
-        found.append(finding("recordings.pulses_corrected", where, float(missing), severity=severity, **numbers))
+        found.append(
+            finding(
+                "recordings.pulses_corrected",
+                where,
+                float(missing),
+                severity=severity,
+                missing=missing,
+                count=count + missing,
+                doubled=doubled,
+            )
+        )
     if variation > _VARIES * resolution and variation > _STEADY * mean:
         found.append(finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean))
     return found
