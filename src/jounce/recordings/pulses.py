@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.errors import RecordingError
 from jounce.core.catalogue import Severity
+from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
