@@ -7,16 +7,20 @@ which are committed. The tables and the reference of the commands are written wh
 
 from __future__ import annotations
 
+import builtins
 import inspect
 import json
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields
+import sys
+import typing
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
 from functools import reduce
 from operator import or_
 from pathlib import Path
-from types import SimpleNamespace
+from types import SimpleNamespace, UnionType
 from typing import Any
 
+import numpy as np
 import typer
 from pydantic import TypeAdapter
 
@@ -32,8 +36,11 @@ from jounce.core.kinds import FILE_REF
 from jounce.core.results import marks_of
 from jounce.design.kinematic_study import KinematicStudy
 from jounce.design.optimisation_study import OptimisationStudy
+from jounce.design.pareto import ParetoFront
 from jounce.identify.decay import DecayEstimates
 from jounce.identify.stiffness import TrialStiffness
+from jounce.identify.update import Identifiability, UpdatedParameter
+from jounce.inspection.archive.history import Trend
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import NUMBERS as WHEEL_NUMBERS
@@ -53,6 +60,8 @@ from jounce.roads import ROADS, Road
 from jounce.roads.loading import SCHEMA
 from jounce.roads.trial import Trial
 from jounce.variants.study import SweepStudy
+from jounce.web.forms import Form, Problem
+from jounce.web.project import Entry, Text, Version
 
 DOCS = Path(__file__).parent
 SCHEMAS = DOCS / "schemas"
@@ -314,6 +323,59 @@ def page_quantities() -> str:
     return json.dumps(found, indent=1, ensure_ascii=False) + "\n"
 
 
+ANSWERS = PAGE_QUANTITIES.with_name("answers.ts")
+ANSWERED = (Entry, Text, Version, Problem, Form, Identifiability, UpdatedParameter, ParetoFront, Trend)
+
+
+def page_answers() -> str:
+    """Types of answers that pages read: the fields of results, written for TypeScript."""
+    kinds, written = list(ANSWERED), []
+    for kind in kinds:  # grows by the classes of their fields
+        lines = [f"  {one.name}: {_typescript(_hint(kind, one.type), kinds)};" for one in fields(kind)]
+        written.append("\n".join([f"export interface {kind.__name__} {{", *lines, "}"]))
+    head = "/** Answers of the server: the fields of results in Python, written by `make faces`. */"
+    return "\n\n".join([head, *written]) + "\n"
+
+
+class _Names(dict[str, Any]):
+    """Names of a module and of typing; a name that is imported for type checkers only stands for anything."""
+
+    def __missing__(self, name: str) -> Any:
+        return getattr(typing, name, getattr(builtins, name, Any))
+
+
+def _hint(kind: type, annotation: Any) -> Any:
+    names = _Names(vars(sys.modules[kind.__module__]))
+    return eval(annotation, {}, names) if isinstance(annotation, str) else annotation  # noqa: S307 - our own source
+
+
+def _typescript(hint: Any, kinds: list[type]) -> str:
+    """Write a type for TypeScript; a dataclass is written by its name, and added to those that are written."""
+    plain = {str: "string", bool: "boolean", int: "number", float: "number", type(None): "null", None: "null"}
+    origin, parts = typing.get_origin(hint), typing.get_args(hint)
+    if origin is typing.Annotated:
+        return _typescript(parts[0], kinds)
+    if origin is typing.Literal:
+        return " | ".join(json.dumps(part) for part in parts)
+    if origin in (typing.Union, UnionType):
+        return " | ".join(_typescript(part, kinds) for part in parts)
+    if origin is np.ndarray:
+        return "number[]"
+    if isinstance(origin, type) and issubclass(origin, Mapping):
+        return f"Record<string, {_typescript(parts[1], kinds)}>"
+    if isinstance(origin, type) and issubclass(origin, Sequence):
+        several = [part for part in parts if part is not Ellipsis]
+        if len(several) > 1:
+            return f"[{', '.join(_typescript(part, kinds) for part in several)}]"
+        item = _typescript(several[0], kinds)
+        return f"({item})[]" if " " in item and "<" not in item else f"{item}[]"
+    if is_dataclass(hint) and isinstance(hint, type):
+        if hint not in kinds:
+            kinds.append(hint)
+        return hint.__name__
+    return plain.get(hint, "unknown")
+
+
 def _shown(si: str) -> tuple[str, float]:
     """Name and factor of the unit in which values of an SI unit are shown."""
     unit = display_unit(si)
@@ -322,7 +384,7 @@ def _shown(si: str) -> tuple[str, float]:
 
 def committed() -> dict[Path, str]:
     """Give all files that are committed: stubs, the index of operations, schemas and quantities of the pages."""
-    written = {**stubs(), INDEX: operations_index(), PAGE_QUANTITIES: page_quantities()}
+    written = {**stubs(), INDEX: operations_index(), PAGE_QUANTITIES: page_quantities(), ANSWERS: page_answers()}
     return written | {SCHEMAS / name: text for name, text in schemas().items()}
 
 

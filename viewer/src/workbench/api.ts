@@ -2,27 +2,18 @@
 
 import { lasting } from "../browser";
 import { tr } from "../words";
+import type * as answers from "./answers";
 import { type Finding, Refused, told as refused } from "./refusals";
 
-export interface Entry {
-  path: string;
-  kind: string;
-  size: number;
-  modified: number;
-  finished: number | null;
-  count: number | null;
-  has_hardpoints: boolean;
+export type { Problem, Text, Version } from "./answers";
+
+export interface Entry extends answers.Entry {
   address: string;
 }
 export interface Project {
   name: string;
   folder: string;
   entries: Entry[];
-}
-export interface Text {
-  path: string;
-  text: string;
-  digest: string;
 }
 export interface Checked {
   kind: string;
@@ -45,26 +36,9 @@ export interface Rig {
   numbers: RigNumber[];
   findings: { place: string; severity: string; message: string }[];
 }
-export interface Problem {
-  path: string;
-  line: number;
-  text: string;
-}
-/** An earlier version of a file: its name, and when it was replaced (s since 1970). */
-export interface Version {
-  name: string;
-  replaced: number;
-}
 /** A text of a rig beside what it says. */
-export interface Form {
-  text: string;
-  values: unknown;
-  model: string;
-  problems: Problem[];
+export interface Form extends Omit<answers.Form, "rig"> {
   rig: Rig | null;
-  changed: string[];
-  python: string;
-  command: string;
 }
 /** Content of a viewer (see ../data), and the same in Python and on the command line. */
 export interface Answer {
@@ -148,8 +122,9 @@ export function folder(): Promise<string> {
   return place;
 }
 export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/api/library");
-export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
-export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
+export const file = (path: string) => get<answers.Text>(`/api/file?${query({ path })}`);
+export const versions = (path: string) =>
+  get<answers.Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
   const found = await get<{
     kind: string;
@@ -161,9 +136,9 @@ export const check = async (path: string): Promise<Checked> => {
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) =>
-  (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
+  (await asked("POST", "/api/library", { name, path })).json() as Promise<answers.Text>;
 export const save = async (path: string, text: string, was: string) =>
-  (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
+  (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<answers.Text>;
 const schemas = new Map<string, Promise<object>>();
 /** Schema of a model, requested once. */
 export function schema(model: string): Promise<object> {

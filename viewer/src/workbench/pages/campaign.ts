@@ -2,6 +2,7 @@
 
 import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
+import type { Identifiability, UpdatedParameter } from "../answers";
 import * as api from "../api";
 import { Drafts, enter, entered, typedIn } from "../drafts";
 import {
@@ -749,15 +750,6 @@ function entry(
   };
 }
 
-interface Estimated {
-  initial: number;
-  value: number;
-  standard_error: number | null;
-  interval: [number, number] | null;
-  lower: number;
-  upper: number;
-  at_bound: boolean;
-}
 interface Compared {
   channels: Record<string, { nrmse: number | null; r2: number | null }>;
   verdict?: string;
@@ -780,15 +772,8 @@ interface Results {
     objective_after: number;
     reduction_percent: number;
     evaluations: number;
-    parameters: Record<string, Estimated>;
-    identifiability: {
-      parameters: string[];
-      sensitivity: number[];
-      rank: number;
-      condition: number | null;
-      correlation: number[][];
-      findings: { message: string; place: string }[];
-    };
+    parameters: Record<string, UpdatedParameter>;
+    identifiability: Identifiability;
     trials: number[];
     comparisons: {
       number: number;

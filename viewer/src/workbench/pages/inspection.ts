@@ -2,6 +2,7 @@
 
 import { make, written } from "../../page";
 import { isGerman, localised, tr } from "../../words";
+import type { Trend } from "../answers";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { dropZone, Question, type Reply, report } from "../jobs";
@@ -396,13 +397,6 @@ function simulated(
   };
 }
 
-interface Trend {
-  axle: string;
-  wheel: string;
-  quantity: string;
-  change_per_year: number;
-  visits: number;
-}
 interface Stored {
   number: number;
   date: string;

@@ -4,6 +4,7 @@ import { Store } from "../../data";
 import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
+import type { ParetoFront } from "../answers";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import {
@@ -43,26 +44,6 @@ interface Compared {
   failed: Record<string, string>;
 }
 const ROLES = ["comfort", "holding", "travel"] as const;
-interface Front {
-  metrics: Record<(typeof ROLES)[number], string>;
-  units: Record<string, string>;
-  comfort: number[];
-  holding: number[];
-  travel: number[];
-  numbers: Record<string, number[]>;
-  number_units: Record<string, string>;
-  marks: {
-    name: string;
-    kind: string;
-    values: Record<string, number>;
-    comfort: number;
-    holding: number;
-    travel: number;
-  }[];
-  converged: boolean;
-  driven: string;
-  findings: { severity: string; message: string }[];
-}
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
   if (id) {
@@ -452,7 +433,7 @@ function pareto(
 }
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
-  const first = await whole<Compared | Front>(id),
+  const first = await whole<Compared | ParetoFront>(id),
     results = make("div", {}),
     card = new JobCard(first);
   place.replaceChildren(
@@ -539,7 +520,7 @@ function merits(found: Compared): HTMLElement[] {
 }
 
 /** The front as points that open as rides, with the present rig and single optimum dampers. */
-function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
+function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[] {
   interface Point {
     name: string;
     comfort: number;
