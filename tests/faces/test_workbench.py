@@ -226,7 +226,7 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     assert status == 200
     assert (ask.folder / "karts" / "mine.toml").read_text() == text
     status, answer = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]})
-    assert (status, answer["error"]["what"]) == (409, "the file has changed")
+    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
     assert ask("GET", "/api/file?path=karts/mine.toml")[1] == saved
     assert ("karts/mine.toml", "rig") in {
         (one["path"], one["kind"]) for one in ask("GET", "/api/project")[1]["entries"]
@@ -297,7 +297,7 @@ def test_a_run_is_kept_of_the_rig_that_was_looked_at(ask):
     assert heavier != text
     assert ask("PUT", "/api/file", {"path": "looked-at.toml", "text": heavier, "was": written["digest"]})[0] == 200
     status, answer = ask("POST", "/api/keep", asked)
-    assert (status, answer["error"]["what"]) == (409, "the file has changed")
+    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
     assert not (ask.folder / "runs" / "looked at.nc").exists()
     now = ask("GET", "/api/rig?name=looked-at.toml")[1]
     assert ask("POST", "/api/keep", asked | {"digest": now["digest"]})[0] == 200
