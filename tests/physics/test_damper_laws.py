@@ -172,3 +172,25 @@ def test_a_fit_finds_a_blow_off():
     assert as_damper(found.damper).kind == "blow-off"
     curve = jn.damper_curve(found, x, v, force, t)
     assert curve.fitted == pytest.approx(BLOW_OFF.forces(v) + 120.0, abs=12.0)
+
+
+def test_a_blow_off_is_the_same_law_in_a_linkage_and_in_the_model_of_it():
+    """Kinematics, modes and the lumped corner see the slope at rest of a 3-D corner."""
+    rig = jn.load("reference-double-wishbone").with_changes({"strut.damper": BLOW_OFF.model_dump()})
+    linear = rig.with_changes({"strut.damper": {"coefficient": BLOW_OFF.slope_at_rest()}})
+    assert jn.lumped_from(rig).strut.damper == BLOW_OFF
+    for one, other in zip(jn.modes(rig), jn.modes(linear), strict=True):
+        assert one.damping_ratio == pytest.approx(other.damping_ratio, rel=1e-9)
+    bends, straight = (jn.sweep_travel(each, "20 mm")["wheel_damping_coefficient"] for each in (rig, linear))
+    assert bends.to_numpy() == pytest.approx(straight.to_numpy(), rel=1e-9)
+    slow = BLOW_OFF.mean_coefficient(0.05)
+    assert slow == pytest.approx(BLOW_OFF.slope_at_rest(), rel=1e-12)
+
+
+def test_runs_of_a_linkage_reduced_and_whole_agree_with_blow_off():
+    rig = jn.load("reference-double-wishbone").with_changes({"strut.damper": BLOW_OFF.model_dump()})
+    trial = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.3 m"), speed="3 m/s", duration="0.6 s")
+    reduced, whole = jn.simulate(rig, trial), jn.simulate(rig, trial, method="explicit", tolerance=1e-7)
+    assert reduced["strut.velocity"].max() > 0.1
+    assert reduced["strut.velocity"].min() < -0.2
+    assert np.abs(reduced["sprung.az"] - whole["sprung.az"]).max() < 1e-5 * np.abs(whole["sprung.az"]).max()

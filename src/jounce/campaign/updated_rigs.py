@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import tomlkit
-from tomlkit.container import Container
-from tomlkit.items import Comment, InlineTable, Null, Table
 
 from jounce.campaign.characterise import TYRE_PATHS, Characterisation
 from jounce.campaign.description import Campaign
 from jounce.campaign.result import StrategyResult
 from jounce.core.text import in_one_line
+from jounce.core.toml_comments import annotate, without_head
 from jounce.core.units import to_si
 from jounce.parts import Rig, rig_from_table
 from jounce.parts.files import updated_text
@@ -65,7 +63,7 @@ def _updated(
     if rig.estimated != described.estimated:
         document["estimated"] = list(rig.estimated)
     for path, words in origins.items():
-        _annotate(document, path, words)
+        annotate(document, split_path(path), words)
     tyre = "" if pressure is None else f", with the tyre at {pressure / 1e6:g} MPa"
     head = [
         f"The rig after {name} of the campaign {campaign.title!r}{tyre}.",
@@ -73,7 +71,7 @@ def _updated(
         *([_OF_THE_PART] if any(strategy.update.discrepancy is not None for strategy in chain) else []),
         *([campaign.synthetic] if campaign.synthetic else []),
     ]
-    return "\n".join(f"# {in_one_line(line)}" for line in head) + "\n" + _without_head(tomlkit.dumps(document))
+    return "\n".join(f"# {in_one_line(line)}" for line in head) + "\n" + without_head(tomlkit.dumps(document))
 
 
 def _is_replaced(name: str, found: Sequence[str], rig: Rig) -> bool:
@@ -144,53 +142,3 @@ def _unit(rig: Rig, path: str) -> str:
 
 def _named(pressure: float | None) -> str:
     return "its pressure" if pressure is None else f"{pressure / 1e6:g} MPa"
-
-
-def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
-    """Write a comment on the line of a value, in place of the one that was there and of those just above.
-
-    A line that holds other values, too, keeps its comment.
-    """
-    *_, last = parts = split_path(path)
-    way = _way_to(document, parts)
-    if not way:
-        return
-    item: Any = way[-1][0].body[way[-1][1]][1]
-    if not isinstance(item, Table):
-        for container, place in reversed(way):  # the comments above `strut.angle = ...` stand above `strut`
-            key = container.body[place][0]
-            if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
-                break
-            _drop_comments_above(container, place)
-    kept = ""
-    if isinstance(item, InlineTable):
-        kept, words = item.trivia.comment.removeprefix("#").strip(), f"{last} {words}"
-    gap = item.trivia.comment_ws or "  "
-    item.comment(in_one_line(f"{kept}; {words}" if kept else words))
-    item.trivia.comment_ws = gap  # which the comment made one blank
-
-
-def _way_to(container: Container, parts: Sequence[str | int]) -> list[tuple[Container, int]]:
-    """Give what holds each part of a path and its place there, as far as the file writes it.
-
-    A table written with dotted keys (`strut.angle = ...`) stands in several places; the one that leads furthest counts.
-    """
-    ways: list[list[tuple[Container, int]]] = []
-    for place, (key, item) in enumerate(container.body):
-        if key is not None and key.key == parts[0]:
-            below = _way_to(item.value, parts[1:]) if isinstance(item, Table) and parts[1:] else []
-            ways.append([(container, place), *below])
-    return max(ways, key=len, default=[])
-
-
-def _drop_comments_above(container: Container, place: int) -> None:
-    while place and isinstance(container.body[place - 1][1], Comment):
-        place -= 1
-        container.body[place] = (None, Null())
-
-
-def _without_head(text: str) -> str:
-    """Drop the comments that a file begins with."""
-    lines = text.split("\n")
-    first = next((i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0)
-    return "\n".join(lines[first:])

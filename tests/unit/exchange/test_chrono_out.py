@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import jounce as jn
@@ -101,6 +102,19 @@ def test_a_damper_with_hysteresis_is_refused(tmp_path: Path) -> None:
     rig = jn.load("sedan-double-wishbone").with_changes({"strut.damper": hysteretic})
     with pytest.raises(jn.OutputError, match="hysteresis"):
         write_chrono(rig, tmp_path / "out.json")
+
+
+def test_a_blow_off_comes_back_as_the_straight_lines_it_is(tmp_path: Path) -> None:
+    blow_off = {
+        f"{side}_{name}": value
+        for side, values in (("bump", (300.0, 0.1, 500.0)), ("rebound", (800.0, 0.2, 700.0)))
+        for name, value in zip(("blow_off_force", "blow_off_velocity", "high_speed_coefficient"), values, strict=True)
+    }
+    rig = jn.load("sedan-double-wishbone").with_changes({"strut.damper": {"kind": "blow-off", **blow_off}})
+    found = back(rig, write_chrono(rig, tmp_path / "out.json", wheel_mass=5.0).path, 5.0)
+    assert found.strut.damper.kind == "table"
+    speeds = np.linspace(-2.0, 2.0, 41)
+    assert found.strut.damper.forces(speeds) == pytest.approx(rig.strut.damper.forces(speeds), abs=1e-6)
 
 
 def test_what_is_left_out_is_said(tmp_path: Path) -> None:

@@ -1,8 +1,8 @@
-"""Rig files of a campaign: where a value stands in the described file, however its tables are written."""
+"""Comments in TOML: they stand where a value is written, however its tables are."""
 
 import tomlkit
 
-from jounce.campaign.updated_rigs import _annotate
+from jounce.core.toml_comments import annotate
 
 
 def test_values_of_dotted_keys_are_annotated_on_their_own_lines():
@@ -16,11 +16,11 @@ def test_values_of_dotted_keys_are_annotated_on_their_own_lines():
         "[strut.damper]\n"
         "coefficient = 180\n"
     )
-    _annotate(document, "strut.spring.rate", "measured")
-    _annotate(document, "strut.friction.force", "fitted")
-    _annotate(document, "strut.damper.coefficient", "fitted, too")
-    _annotate(document, "tyre.stiffness", "guessed")
-    _annotate(document, "guide.friction.force", "is nowhere")
+    annotate(document, ["strut", "spring", "rate"], "measured")
+    annotate(document, ["strut", "friction", "force"], "fitted")
+    annotate(document, ["strut", "damper", "coefficient"], "fitted, too")
+    annotate(document, ["tyre", "stiffness"], "guessed")
+    annotate(document, ["guide", "friction", "force"], "is nowhere")
     assert tomlkit.dumps(document).splitlines() == [
         'strut.angle = "26 deg"  # as built',
         "strut.spring.rate = 22700  # measured",

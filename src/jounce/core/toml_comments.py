@@ -1,0 +1,61 @@
+"""Comments in TOML documents: written on the lines of values, and dropped with what they spoke of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import tomlkit
+from tomlkit.container import Container
+from tomlkit.items import Comment, InlineTable, Null, Table
+
+from jounce.core.text import in_one_line
+
+
+def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: str) -> None:
+    """Write a comment on the line of the value at a path, in place of the one that was there and of those just above.
+
+    A line that holds other values, too, keeps its comment. A value that the file does not write gets none.
+    """
+    way = _way_to(document, path)
+    if not way:
+        return
+    item: Any = way[-1][0].body[way[-1][1]][1]
+    if not isinstance(item, Table):
+        for container, place in reversed(way):  # the comments above `strut.angle = ...` stand above `strut`
+            key = container.body[place][0]
+            if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
+                break
+            _drop_comments_above(container, place)
+    kept = ""
+    if isinstance(item, InlineTable):
+        kept, words = item.trivia.comment.removeprefix("#").strip(), f"{path[-1]} {words}"
+    gap = item.trivia.comment_ws or "  "
+    item.comment(in_one_line(f"{kept}; {words}" if kept else words))
+    item.trivia.comment_ws = gap  # which the comment made one blank
+
+
+def _way_to(container: Container, parts: Sequence[str | int]) -> list[tuple[Container, int]]:
+    """Give what holds each part of a path and its place there, as far as the file writes it.
+
+    A table written with dotted keys (`strut.angle = ...`) stands in several places; the one that leads furthest counts.
+    """
+    ways: list[list[tuple[Container, int]]] = []
+    for place, (key, item) in enumerate(container.body):
+        if key is not None and key.key == parts[0]:
+            below = _way_to(item.value, parts[1:]) if isinstance(item, Table) and parts[1:] else []
+            ways.append([(container, place), *below])
+    return max(ways, key=len, default=[])
+
+
+def _drop_comments_above(container: Container, place: int) -> None:
+    while place and isinstance(container.body[place - 1][1], Comment):
+        place -= 1
+        container.body[place] = (None, Null())
+
+
+def without_head(text: str) -> str:
+    """Drop the comments that a file begins with."""
+    lines = text.split("\n")
+    first = next((i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0)
+    return "\n".join(lines[first:])
