@@ -3,6 +3,11 @@
 from . import mechanics as mechanics
 from . import notebook as notebook
 from . import plots as plots
+from .analysis.integrate import integrate_acceleration as integrate_acceleration
+from .analysis.modes import fit_modes as fit_modes
+from .analysis.spectrum import estimate_spectra as estimate_spectra
+from .analysis.statistics import describe_channels as describe_channels
+from .analysis.transfer import estimate_transfer as estimate_transfer
 from .bench.drive import BeltLoad as BeltLoad
 from .bench.drive import BenchDrive as BenchDrive
 from .bench.drive import assess_drive as assess_drive

@@ -1,5 +1,10 @@
 # The names of the package; `lazy_loader` loads what is used.
 
+from .analysis import channel_spectra as channel_spectra
+from .analysis import channel_statistics as channel_statistics
+from .analysis import integrated as integrated
+from .analysis import measured_modes as measured_modes
+from .analysis import transfer_estimate as transfer_estimate
 from .campaign import measured_against_simulated as measured_against_simulated
 from .campaign import residual_against_speed_and_pitch as residual_against_speed_and_pitch
 from .campaign import trial_matrix as trial_matrix

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
-from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals, variants
+from jounce.plots import analysis, audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals, variants
 from jounce.plots.figures import write_figure
 from jounce.plots.mechanisms import mechanism
 
@@ -24,7 +24,7 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
+        A 3-D rig, a recording and what is analysed of it, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
         speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a
         campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets,
         their fronts and spreads, or fitted to measured poses.
@@ -92,6 +92,11 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
+    from jounce.analysis.integrate import Integration
+    from jounce.analysis.modes import FittedModes
+    from jounce.analysis.spectrum import RecordSpectra
+    from jounce.analysis.statistics import RecordStatistics
+    from jounce.analysis.transfer import TransferEstimate
     from jounce.campaign.bench_fits import MeasuredDamper, MeasuredDecays, MeasuredStiffness
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
     from jounce.design.best_design import BestDesign
@@ -157,6 +162,11 @@ def _registered() -> Callable[..., Figure]:
     draw.register(list, of_sequence)
     draw.register(tuple, of_sequence)
     draw.register(Road, signals.road_profile)
+    draw.register(RecordStatistics, analysis.channel_statistics)
+    draw.register(RecordSpectra, analysis.channel_spectra)
+    draw.register(TransferEstimate, analysis.transfer_estimate)
+    draw.register(FittedModes, analysis.measured_modes)
+    draw.register(Integration, analysis.integrated)
     draw.register(LinearModel, signals.frequency_response)
     draw.register(TrialRun, lambda result, **options: signals.time_history(result.recording(), **options))
     draw.register(ModalAnalysis, lambda result: signals.modes(result.modes))

@@ -303,13 +303,12 @@ def clipped_share(values: Array) -> float:
 
 def _clipped(values: Array) -> dict[float, int]:
     """Limits at which a record is clipped, with the number of samples there."""
-    resolution = np.diff(np.unique(values))
+    reached = [float(end) for end in (values.min(), values.max()) if np.count_nonzero(values == end) >= FEWEST_CLIPPED]
+    resolution = np.diff(np.unique(values)) if reached else np.empty(0)
     if not resolution.size:
         return {}
     smallest = float(resolution.min())
-    limits = {
-        float(limit): _flat_samples(values, float(limit), 1.5 * smallest) for limit in (values.min(), values.max())
-    }
+    limits = {limit: _flat_samples(values, limit, 1.5 * smallest) for limit in reached}
     return {limit: count for limit, count in limits.items() if count >= FEWEST_CLIPPED and limit != 0.0}
 
 

@@ -159,7 +159,7 @@ def power_spectrum(
     count = _segment_length(signal, rate, segment, window)
     frequency, density = _cross(signal, signal, rate, count, window)
     resolution = WINDOWS[window] * rate / count
-    return Spectrum(frequency, density.real.copy(), resolution, _averages(signal.size, count, window))
+    return Spectrum(frequency, density.real.copy(), resolution, independent_segments(signal.size, count, window))
 
 
 def transfer_function(
@@ -213,7 +213,7 @@ def transfer_function(
             "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
         )
     count = _segment_length(x, rate, segment, window)
-    averages = _averages(x.size, count, window)
+    averages = independent_segments(x.size, count, window)
     if averages <= 1.0:
         raise RecordingError(
             "a transfer function needs two pieces or more",
@@ -344,8 +344,8 @@ def _cross(x: Array, y: Array, sample_rate: float, count: int, window: str) -> t
     return np.asarray(frequency, dtype=float), np.asarray(density, dtype=np.complex128)
 
 
-def _averages(samples: int, count: int, window: str) -> float:
-    """Number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
+def independent_segments(samples: int, count: int, window: str) -> float:
+    """Give the number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
     if window != "hann":
         return float(samples // count)
     pieces = (samples - count) // (count - count // 2) + 1

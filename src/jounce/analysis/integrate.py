@@ -1,0 +1,458 @@
+"""Accelerations integrated to velocity and displacement without drift, with the band that holds and the error in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
+
+import numpy as np
+
+from jounce.analysis.record import Measured, Source, chosen, constant_channels, measured
+from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain, plain_table
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.recordings.schema import place_of, quantity_of, recording_of
+from jounce.ride.spectra import Spectrum, power_spectrum
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Motion: TypeAlias = Literal["random", "transient", "periodic"]
+_ORDER = 6  # of the high pass: its gain is x^6 / (1 + x^6) at x corners
+VALID = 19.0 ** (1.0 / _ORDER)
+"""Corners (1) above which the high pass takes less than 5 %: 1.63."""
+_INTEGRALS = {
+    "ax": ("vx", "x"),
+    "ay": ("vy", "y"),
+    "az": ("vz", "z"),
+    "acceleration": ("velocity", "displacement"),
+    "angular_acceleration": ("angular_velocity", "angle"),
+    "pitch_acceleration": ("pitch_rate", "pitch"),
+    "roll_acceleration": ("roll_rate", "roll"),
+}
+_UNITS = {"m/s^2": ("m/s", "m"), "rad/s^2": ("rad/s", "rad")}
+_FEWEST_CYCLES = 4.0  # of the lowest corner within a record, whose ends take two
+_ABOVE_NOISE = 4.0  # density over the floor from which on motion counts: 3 of 4 parts are motion
+
+
+@dataclass(frozen=True)
+class IntegratedChannel(Plain):
+    """One acceleration with its velocity and displacement.
+
+    Attributes
+    ----------
+    channel : str
+        The acceleration.
+    velocity_channel, displacement_channel : str
+        Names of the results.
+    unit : str
+        Of the acceleration: ``m/s^2`` or ``rad/s^2``.
+    corner : float
+        Frequency (Hz) at which the high pass halves the amplitude; 0 without one.
+    band : (float, float)
+        Frequencies (Hz) in which the amplitude is right within 5 %.
+    noise : float
+        Density of the acceleration's noise, in its unit per root of Hz: as given, or the least of the record.
+    velocity_error, displacement_error : float
+        Standard deviation that this noise gives velocity and displacement within the band, m/s and m.
+    removed : float
+        Root mean square displacement (m) that the record holds below the corner: drift, and motion that is lost.
+    velocity, displacement : ndarray, shape (n,)
+        m/s and m, or rad/s and rad, with a mean of zero but for transients, which begin at zero.
+    """
+
+    left_out = ("velocity", "displacement")
+    channel: str
+    velocity_channel: str
+    displacement_channel: str
+    unit: str
+    corner: float
+    band: tuple[float, float]
+    noise: float
+    velocity_error: float
+    displacement_error: float
+    removed: float
+    velocity: Array
+    displacement: Array
+
+    @property
+    def velocity_unit(self) -> str:
+        """SI unit of the velocity."""
+        return _UNITS[self.unit][0]
+
+    @property
+    def displacement_unit(self) -> str:
+        """SI unit of the displacement."""
+        return _UNITS[self.unit][1]
+
+
+@dataclass(frozen=True)
+class Integration(Plain):
+    """Accelerations of a record with their velocities and displacements.
+
+    Attributes
+    ----------
+    record : str
+        File, or ``recording``.
+    motion : {"random", "transient", "periodic"}
+        What the motion was taken for.
+    time : ndarray, shape (n,)
+        Instants, s.
+    valid : (float, float)
+        First and last instant (s) that the ends of the record do not reach.
+    channels : tuple of IntegratedChannel
+        In the order of the record.
+    findings : tuple of Finding
+        How the corner was chosen, and what weakens the result.
+    """
+
+    record: str
+    motion: Motion
+    time: Array
+    valid: tuple[float, float]
+    channels: tuple[IntegratedChannel, ...]
+    findings: tuple[Finding, ...]
+    source: Measured
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI, without the signals."""
+        return plain_table({name: value for name, value in vars(self).items() if name not in ("time", "source")})
+
+    def recording(self) -> xr.Dataset:
+        """Give accelerations, velocities and displacements as a recording."""
+        signals = {}
+        for one in self.channels:
+            signals[one.channel] = (self.source.values(one.channel)[: len(self.time)], one.unit, "")
+            signals[one.velocity_channel] = (one.velocity, one.velocity_unit, "")
+            signals[one.displacement_channel] = (one.displacement, one.displacement_unit, "")
+        return recording_of(self.time, signals, {"valid_from": self.valid[0], "valid_to": self.valid[1]})
+
+
+def integrate_acceleration(
+    record: Source | Measured,
+    channels: Sequence[str] | str | None = None,
+    *,
+    motion: Motion = "random",
+    above: float | str | None = None,
+    period: float | str | None = None,
+    noise: float | None = None,
+    begin: float | str | None = None,
+    end: float | str | None = None,
+) -> Integration:
+    """Integrate accelerations to velocity and displacement without drift, and say in which band they hold.
+
+    Parameters
+    ----------
+    record : Dataset, DataFrame, Path or str
+        A recording, a table with columns ``name [unit]``, or a file.
+    channels : sequence of str, optional
+        Accelerations; by default every channel in m/s^2 or rad/s^2.
+    motion : {"random", "transient", "periodic"}
+        ``random``: goes on at both ends; what is slower than a corner is taken off, without phase. ``transient``:
+        begins and ends at rest in the same place; offset and drift of the sensor follow from that, and all
+        frequencies hold. ``periodic``: repeats itself; only multiples of its frequency count.
+    above : float or str, optional
+        Corner of random motion, Hz or text with a unit: there the amplitude is halved. By default where the density
+        leaves its floor.
+    period : float or str, optional
+        Period of periodic motion, s or text with a unit; that of the whole record by default.
+    noise : float, optional
+        Density of the sensor's noise, in m/s^2 (or rad/s^2) per root of Hz; by default the least density of the record,
+        which some motion may be in.
+    begin, end : float or str, optional
+        Stretch of time that counts, s or text with a unit.
+
+    Returns
+    -------
+    Integration
+        In SI. Position and level are lost in what an accelerometer records: displacements have no mean, those of
+        transients begin at 0.
+
+    Raises
+    ------
+    RecordingError
+        For an unreadable or too short record, missing samples, no acceleration, a corner outside of the record, and a
+        record whose drift hides its motion.
+    DescriptionError
+        For an unknown motion, and options of another motion.
+
+    Notes
+    -----
+    White noise of density ``s`` adds ``s / (2 pi f)^2`` to the displacement at the frequency f. Of a transient over T,
+    the line that brings velocity and displacement back to zero is also the best estimate of offset and drift; what the
+    noise leaves has the variance ``s^2 t^3 (T - t)^3 / (6 T^3)``.
+
+    Examples
+    --------
+    >>> import jounce as jn, numpy as np
+    >>> t = np.arange(0.0, 20.0, 0.001)
+    >>> w = 2.0 * np.pi * 2.0
+    >>> run = jn.recording(t, {"body.az": (0.3 - 0.01 * w**2 * np.sin(w * t), "m/s^2", "")})    # 10 mm, and an offset
+    >>> (found,) = jn.integrate_acceleration(run, above="0.4 Hz").channels
+    >>> middle = slice(5000, 15000)
+    >>> bool(np.allclose(found.displacement[middle], 0.01 * np.sin(w * t[middle]), atol=1e-5))
+    True
+    """
+    if motion not in get_args(Motion):
+        raise unknown(str(motion), get_args(Motion), what="motion", where="motion")
+    for name, given, of in (("above", above, "random"), ("period", period, "periodic")):
+        if given is not None and motion != of:
+            raise DescriptionError(f"it belongs to {of} motion", where=name, found=f"motion {motion}")
+    used = measured(record, begin, end)
+    names = _accelerations(used, channels)
+    moving, still = constant_channels(used, names)
+    if not moving:
+        raise RecordingError("every acceleration is constant", where=used.name, found=", ".join(names))
+    length = to_si(period, "s", where="period") if period is not None else None
+    corner = to_si(above, "Hz", where="above") if above is not None else None
+    samples = used.run.sizes["time"]
+    if motion == "periodic":
+        samples = _whole_periods(used, length)
+    time = used.run["time"].to_numpy()[:samples]
+    results, findings = [], [*used.findings, *still]
+    for name in moving:
+        values = used.values(name)[:samples]
+        spectrum = _density(used, values)
+        density = noise**2 if noise is not None else _floor(spectrum, used.highest_frequency(name))
+        if motion == "random":
+            chosen_corner, words = _corner(used, name, spectrum, corner)
+            findings += words
+            results.append(_random(used, name, values, spectrum, density, chosen_corner))
+        elif motion == "transient":
+            findings += _not_at_rest(used, name, values, density)
+            results.append(_transient(used, name, values, density))
+        else:
+            results.append(_periodic(used, name, values, density, length or samples / used.rate))
+    margin = max(1.0 / one.corner for one in results) if motion == "random" else 0.0
+    valid = float(time[0]) + margin, float(time[-1]) - margin
+    return Integration(used.name, motion, time, valid, tuple(results), tuple(findings), used)
+
+
+def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list[str]:
+    names = chosen(used, channels)
+    found = [name for name in names if used.unit(name) in _UNITS]
+    wrong = [f"{name} in {used.unit(name)}" for name in names if name not in found]
+    if not found or (channels is not None and wrong):
+        raise RecordingError(
+            "only accelerations are integrated",
+            where=used.name,
+            found=", ".join(wrong) or "none",
+            allowed="channels in m/s^2 or rad/s^2",
+            hint="Name the columns of the file, such as sprung.az.",
+        )
+    return found
+
+
+def _density(used: Measured, values: Array) -> Spectrum:
+    """Density of an acceleration, less its straight line, with pieces of a quarter of the record or 30 s."""
+    from scipy.signal import detrend
+
+    count = min(max(len(values) // 4, 32), int(30.0 * used.rate))
+    return power_spectrum(detrend(values), used.rate, segment=count / used.rate)
+
+
+def _third_octaves(spectrum: Spectrum) -> tuple[Array, Array]:
+    """Frequencies (Hz) from the second line on, and the mean density over a third of an octave around each."""
+    f, total = spectrum.frequency, np.concatenate([[0.0], np.cumsum(spectrum.density)])
+    inner = np.arange(2, len(f))
+    low = np.minimum(np.searchsorted(f, f[inner] * 2.0 ** (-1.0 / 6.0)), inner)
+    high = np.maximum(np.searchsorted(f, f[inner] * 2.0 ** (1.0 / 6.0)), inner + 1)
+    return f[inner], (total[high] - total[low]) / (high - low)
+
+
+def _floor(spectrum: Spectrum, highest: float) -> float:
+    """The least density of a third of an octave."""
+    f, density = _third_octaves(spectrum)
+    inside = (f <= 0.8 * highest) & (f > _FEWEST_LINES * spectrum.step)
+    return float(density[inside].min()) if inside.any() else float(density.min())
+
+
+_FEWEST_LINES = 45.0  # ten within a third of an octave: the least of fewer is less than the floor
+
+
+def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) -> tuple[float, list[Finding]]:
+    """Corner (Hz) of the high pass: as given, or where motion leaves the floor of the density."""
+    lowest = _FEWEST_CYCLES / used.duration
+    at = f"{used.name}: {name}"
+    if given is not None:
+        if not lowest <= given < 0.25 * used.rate:
+            raise RecordingError(
+                "the corner does not fit the record",
+                where=f"{at}: above",
+                found=f"{given:g} Hz",
+                allowed=f"{lowest:.3g} Hz, {_FEWEST_CYCLES:g} cycles of the record, to {0.25 * used.rate:g} Hz",
+            )
+        return given, []
+    f, density = _third_octaves(spectrum)
+    top = int(np.argmax(density / f))
+    if top == 0 or f[top] <= lowest:
+        raise RecordingError(
+            "drift hides the motion: the density falls from the lowest frequency on",
+            where=at,
+            allowed="a corner of your own (above)",
+            hint="Look at the spectrum, and take the corner where it leaves the drift.",
+        )
+    valley = int(np.argmin(density[:top]))
+    above = np.flatnonzero(density[valley : top + 1] > _ABOVE_NOISE * density[valley])
+    corner = max(float(f[valley + int(above[0])]) if above.size else float(f[top]) / 2.0, lowest)
+    text = f"the corner of {corner:.3g} Hz is where the density of the acceleration leaves its floor"
+    return corner, [Finding(at, "note", text, corner)]
+
+
+def _names(name: str) -> tuple[str, str]:
+    words = _INTEGRALS.get(quantity_of(name))
+    place = place_of(name)
+    if words is None:
+        return f"{name}.velocity", f"{name}.displacement"
+    return tuple(f"{place}.{word}" if place else word for word in words)  # type: ignore[return-value]
+
+
+def _gain(frequency: Array, corner: float) -> Array:
+    """Gain of the high pass, 0 at 0."""
+    x = (frequency / corner) ** _ORDER
+    return np.asarray(x / (1.0 + x))
+
+
+def _random(
+    used: Measured, name: str, values: Array, spectrum: Spectrum, density: float, corner: float
+) -> IntegratedChannel:
+    """Integrate over frequency, the record being continued by its mirror images."""
+    from scipy import fft
+    from scipy.signal import detrend
+
+    pad = min(len(values) - 1, int(3.0 / corner * used.rate))
+    longer = np.pad(detrend(values), pad, mode="reflect")
+    size = fft.next_fast_len(len(longer), real=True)
+    frequency = fft.rfftfreq(size, 1.0 / used.rate)
+    s = 2j * np.pi * frequency
+    transform = fft.rfft(longer, size) * _gain(frequency, corner)
+    transform[1:] /= s[1:]
+    velocity = fft.irfft(transform, size)[pad : pad + len(values)]
+    transform[1:] /= s[1:]
+    displacement = fft.irfft(transform, size)[pad : pad + len(values)]
+    f = spectrum.frequency[1:]
+    lost = np.sum(spectrum.density[1:] / (2.0 * np.pi * f) ** 4 * (1.0 - _gain(f, corner)) ** 2) * spectrum.step
+    return _channel(
+        used,
+        name,
+        corner=corner,
+        lowest=VALID * corner,
+        noise=density,
+        errors=_errors_above(density, corner, used.highest_frequency(name)),
+        removed=float(lost) ** 0.5,
+        velocity=velocity,
+        displacement=displacement,
+    )
+
+
+def _errors_above(density: float, corner: float, highest: float) -> tuple[float, float]:
+    """Standard deviations of velocity and displacement that white noise gives through the high pass."""
+    f = np.geomspace(0.02 * corner, highest, 2000)
+    squared = density * _gain(f, corner) ** 2
+    return tuple(float(np.trapezoid(squared / (2.0 * np.pi * f) ** power, f)) ** 0.5 for power in (2, 4))
+
+
+def _transient(used: Measured, name: str, values: Array, density: float) -> IntegratedChannel:
+    """Integrate from rest to rest: a straight line under the acceleration brings both integrals back to zero."""
+    from scipy.interpolate import CubicSpline
+
+    time = np.arange(len(values)) / used.rate
+    spline = CubicSpline(time, values)
+    velocity, displacement = spline.antiderivative(1)(time), spline.antiderivative(2)(time)
+    whole = float(time[-1])
+    table = np.array([[whole, whole**2 / 2.0], [whole**2 / 2.0, whole**3 / 6.0]])
+    offset, drift = np.linalg.solve(table, [velocity[-1], displacement[-1]])
+    velocity = velocity - offset * time - drift * time**2 / 2.0
+    displacement = displacement - offset * time**2 / 2.0 - drift * time**3 / 6.0
+    line = offset * time**2 / 2.0 + drift * time**3 / 6.0
+    # Mean over the record of the variances of motion that noise of this density leaves between both ends at rest.
+    errors = (0.5 * density * whole / 15.0) ** 0.5, (0.5 * density * whole**3 / 420.0) ** 0.5
+    return _channel(
+        used,
+        name,
+        corner=0.0,
+        lowest=0.0,
+        noise=density,
+        errors=errors,
+        removed=float(np.std(line)),
+        velocity=velocity,
+        displacement=displacement,
+    )
+
+
+def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> list[Finding]:
+    """Warn of a record that does not begin and end at rest."""
+    few = max(8, len(values) // 50)
+    ends = float(max(np.ptp(values[:few]), np.ptp(values[-few:])))
+    if ends <= max(0.1 * float(np.ptp(values)), 8.0 * (density * used.rate / 2.0) ** 0.5):
+        return []
+    text = (
+        f"the record does not begin and end at rest: its ends still move by {ends:.3g} {used.unit(name)}; "
+        "choose a stretch from rest to rest, or random motion"
+    )
+    return [Finding(f"{used.name}: {name}", "warning", text, ends)]
+
+
+def _whole_periods(used: Measured, period: float | None) -> int:
+    """Samples in as many whole periods as the record holds."""
+    samples = int(used.run.sizes["time"])
+    if period is None:
+        return samples
+    count = int((samples + 0.5) / (period * used.rate)) if period > 0.0 else 0
+    if count < 1 or period * used.rate < 8.0:
+        raise RecordingError(
+            "the record holds no whole period",
+            where=f"{used.name}: period",
+            found=f"{period:g} s",
+            allowed=f"{8.0 / used.rate:g} s to {samples / used.rate:g} s",
+        )
+    return min(round(count * period * used.rate), samples)
+
+
+def _periodic(used: Measured, name: str, values: Array, density: float, period: float) -> IntegratedChannel:
+    """Integrate the multiples of the frequency of a motion that repeats itself."""
+    size = len(values)
+    count = max(round(size / used.rate / period), 1)
+    frequency = np.fft.rfftfreq(size, 1.0 / used.rate)
+    transform = np.fft.rfft(values)
+    removed = transform.copy()
+    removed[::count], removed[0] = 0.0, 0.0
+    lines = np.zeros_like(transform)
+    lines[count::count] = transform[count::count]
+    s = 2j * np.pi * frequency
+    s[0] = 1.0
+    kept = frequency[count::count]
+    share = density * used.rate / size
+    errors = tuple(float(np.sum(share / (2.0 * np.pi * kept) ** power)) ** 0.5 for power in (2, 4))
+    return _channel(
+        used,
+        name,
+        corner=0.0,
+        lowest=float(frequency[count]),
+        noise=density,
+        errors=errors,
+        removed=float(np.std(np.fft.irfft(removed / s**2, size))),
+        velocity=np.fft.irfft(lines / s, size),
+        displacement=np.fft.irfft(lines / s**2, size),
+    )
+
+
+def _channel(
+    used: Measured,
+    name: str,
+    *,
+    corner: float,
+    lowest: float,
+    noise: float,
+    errors: tuple[float, float],
+    removed: float,
+    velocity: Array,
+    displacement: Array,
+) -> IntegratedChannel:
+    band = lowest, used.highest_frequency(name)
+    return IntegratedChannel(
+        name, *_names(name), used.unit(name), corner, band, noise**0.5, *errors, removed, velocity, displacement
+    )

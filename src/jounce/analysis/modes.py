@@ -1,0 +1,600 @@
+"""Modal frequencies and damping ratios from measured channels, with intervals, beside those of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.analysis.poles import (
+    Complex,
+    Kind,
+    Lines,
+    PoleFit,
+    Stabilisation,
+    covariance_by_groups,
+    covariance_by_lines,
+    fit_poles,
+    parameters_of,
+    stabilisation,
+    stable_modes,
+)
+from jounce.analysis.record import Measured, Source, band_of, band_text, check_channel, chosen, measured
+from jounce.analysis.spectrum import segment_samples
+from jounce.analysis.transfer import check_moving, sliding_model
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain, plain_table
+from jounce.core.types import Array
+from jounce.identify.estimate import Estimate, student_factor
+from jounce.parts import Rig, as_rig
+from jounce.simulation.linear_model import LinearModel
+
+FEWEST_PARTS = 24
+"""Segments of a short record, before they overlap: their scatter makes the intervals."""
+GROUPS = 20
+"""Groups of neighbouring segments that are left out in turn: 19 degrees of freedom."""
+_FEWEST_GROUPS = 6
+_FEWEST_LINES = 24
+_LARGEST_ERROR = 0.1  # of a frequency, above which a pole tells nothing
+_NEAR = 1.5  # factor of frequency between a measured mode and that of a model
+_CYCLES = 3.0  # of the lowest frequency within a segment
+
+
+@dataclass(frozen=True)
+class MeasuredMode(Plain):
+    """A mode of what was measured.
+
+    Attributes
+    ----------
+    frequency : Estimate
+        Undamped natural frequency, Hz, with its 95 % interval.
+    damping_ratio : Estimate
+        Of critical (1), with its 95 % interval.
+    orders : int
+        Orders of the denominator (1) that agree on it.
+    model_frequency, model_damping_ratio : float or None
+        The nearest mode of the model, Hz and 1.
+    """
+
+    frequency: Estimate
+    damping_ratio: Estimate
+    orders: int
+    model_frequency: float | None = None
+    model_damping_ratio: float | None = None
+
+    @property
+    def damped_frequency(self) -> float:
+        """Frequency with which it rings, Hz."""
+        return self.frequency.value * float(np.sqrt(max(1.0 - self.damping_ratio.value**2, 0.0)))
+
+
+@dataclass(frozen=True)
+class FittedModes(Plain):
+    """Modes found in a record.
+
+    Attributes
+    ----------
+    record : str
+        File, or ``recording``.
+    kind : {"transfer", "spectrum", "decay"}
+        What was fitted: transfer functions, densities of the outputs, or a free decay.
+    outputs : tuple of str
+        Channels of the outputs.
+    given : str
+        Channel of the input; empty without one.
+    begin, end : float
+        First and last instant, s.
+    sample_rate : float
+        Samples per second, Hz.
+    band : (float, float)
+        Frequencies that were fitted, Hz.
+    segment : float
+        Length of the segments, s; that of the whole decay.
+    modes : tuple of MeasuredMode
+        By rising frequency.
+    stabilisation : Stabilisation
+        Poles of denominators of rising order.
+    frequency : ndarray, shape (n,)
+        Hz.
+    measured, fitted : ndarray of complex, shape (n, k)
+        Lines of each output, in SI: output over input, density, or Fourier transform.
+    findings : tuple of Finding
+        What was not found, and what the estimate takes for granted.
+    """
+
+    record: str
+    kind: Kind
+    outputs: tuple[str, ...]
+    given: str
+    begin: float
+    end: float
+    sample_rate: float
+    band: tuple[float, float]
+    segment: float
+    modes: tuple[MeasuredMode, ...]
+    stabilisation: Stabilisation
+    frequency: Array
+    measured: Complex
+    fitted: Complex
+    findings: tuple[Finding, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI, without the lines."""
+        left_out = ("frequency", "measured", "fitted")
+        return plain_table({name: value for name, value in vars(self).items() if name not in left_out})
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give one row for each mode, SI."""
+        return [_row(mode) for mode in self.modes]
+
+
+_Leaving: TypeAlias = "Callable[[int], Complex] | None"
+
+
+def fit_modes(
+    record: Source | Measured,
+    outputs: Sequence[str] | str | None = None,
+    given: str | None = None,
+    *,
+    decay: bool = False,
+    rig: Rig | Path | str | None = None,
+    count: int | None = None,
+    band: tuple[float | str, float | str] | None = None,
+    segment: float | str | None = None,
+    begin: float | str | None = None,
+    end: float | str | None = None,
+) -> FittedModes:
+    """Find modal frequencies and damping ratios in a record, with 95 % intervals.
+
+    With an input (``given``) it fits the transfer functions to all outputs, without one their spectra, and with
+    ``decay`` their free motion after a release. Starts are poles on which denominators of rising order agree
+    (least-squares complex frequency); the result fits the measured lines, seen through the window that was used.
+
+    Parameters
+    ----------
+    record : Dataset, DataFrame, Path or str
+        A recording, a table with columns ``name [unit]``, or a file.
+    outputs : sequence of str, optional
+        Channels of the outputs; all but the input by default.
+    given : str, optional
+        Channel of the input. An output in its place, such as the wheel's acceleration, makes the modes those of the
+        rig whose given motion is held.
+    decay : bool
+        The record is a free decay from ``begin`` on.
+    rig : Rig, Path or str, optional
+        A rig whose modes are compared, without dry friction.
+    count : int, optional
+        Number of modes (1); by default as many as the data ask for.
+    band : (float, float), optional
+        Lowest and highest frequency, Hz or text with a unit: as wide as a mode on both of its sides, at least. By
+        default from three cycles in a segment to 40 Hz.
+    segment : float or str, optional
+        Length of the segments that are averaged, s or text with a unit; by default a twenty-fourth of the record, from 2
+        to 8 s.
+    begin, end : float or str, optional
+        Stretch of time that counts, s or text with a unit.
+
+    Returns
+    -------
+    FittedModes
+        Without modes where no orders agree on one; a finding says so. Intervals come from leaving out segments in turn,
+        those of a decay from what the fit leaves. Without an input, what excites must be smooth over the band.
+
+    Raises
+    ------
+    RecordingError
+        For an unreadable or too short record, missing samples, constant or unknown channels, and a band outside of the
+        record or narrower than 24 lines.
+    DescriptionError
+        For a decay with an input.
+
+    References
+    ----------
+    peeters2004 (starts), golub1973 (variable projection), bendat2010.
+
+    Examples
+    --------
+    >>> import jounce as jn, numpy as np
+    >>> t = np.arange(0.0, 4.0, 0.002)
+    >>> fall = np.exp(-0.1 * 2.0 * np.pi * 3.0 * t) * np.cos(2.0 * np.pi * 3.0 * np.sqrt(0.99) * t)
+    >>> run = jn.recording(t, {"body.z": (0.01 * fall, "m", "")})
+    >>> (mode,) = jn.fit_modes(run, decay=True, count=1, band=(0.5, 20.0)).modes
+    >>> round(mode.frequency.value, 3), round(mode.damping_ratio.value, 3)
+    (3.0, 0.1)
+    """
+    if decay and given is not None:
+        raise DescriptionError("a free decay has no input", where="given", found=given, allowed="no input with decay")
+    used = measured(record, begin, end)
+    if given is not None:
+        check_channel(used, given)
+    names = [name for name in chosen(used, outputs) if outputs is not None or name != given]
+    if not names or given in names:
+        raise RecordingError("no output", where=used.name, found=", ".join(names), allowed="channels beside the input")
+    check_moving(used, [*names, *([given] if given else [])])
+    samples = _decay_samples(used) if decay else _samples(used, segment)
+    length = samples / used.rate
+    everything = [*names, *([given] if given else [])]
+    lowest = (1.0 if decay else _CYCLES) / length
+    limits, notes = band_of(used, band or (lowest, min(_HIGHEST, _top(used, everything))), everything, lowest)
+    lines, response, leave_out, groups, doubts = _lines(used, names, given, decay, samples, limits)
+    table = stabilisation(lines, response)
+    starts = stable_modes(table, lines.kind)
+    fit, lines = _fitted(lines, starts, count)
+    found = [] if fit is None else _modes(fit, lines, starts, leave_out, groups)
+    kept = [mode for mode in found if count is not None or _is_known(mode)]
+    kept.sort(key=lambda mode: mode.frequency.value)
+    doubts += _doubts(used.name, kept, count, limits)
+    if rig is not None:
+        kept, words = _beside_model(kept, as_rig(rig), given, limits, used.name)
+        doubts += words
+    return FittedModes(
+        used.name,
+        lines.kind,
+        tuple(names),
+        given or "",
+        float(used.run["time"][0]),
+        float(used.run["time"][-1]),
+        used.rate,
+        limits,
+        length,
+        tuple(kept),
+        table,
+        lines.frequency,
+        lines.values,
+        np.full_like(lines.values, np.nan) if fit is None else fit.model,
+        (*used.findings, *notes, *doubts),
+    )
+
+
+_HIGHEST = 40.0  # Hz: wheels hop below 20, those of karts on stiff tyres below 30
+_SHORTEST = 2.0  # s
+
+
+def _top(used: Measured, names: Sequence[str]) -> float:
+    return min(used.highest_frequency(name) for name in names)
+
+
+def _samples(used: Measured, segment: float | str | None) -> int:
+    count = segment_samples(used, segment, FEWEST_PARTS)
+    return max(count, min(round(_SHORTEST * used.rate), used.run.sizes["time"] // 8)) if segment is None else count
+
+
+def _decay_samples(used: Measured) -> int:
+    return segment_samples(used, used.run.sizes["time"] / used.rate, 1)
+
+
+def _inside(samples: int, rate: float, band: tuple[float, float]) -> tuple[Array, NDArray[np.bool_]]:
+    """Frequencies (Hz) of the lines within the band, and which of all lines they are."""
+    frequency = np.asarray(np.fft.rfftfreq(samples, 1.0 / rate), dtype=np.float64)
+    inside = (frequency >= band[0] * (1.0 - 1e-9)) & (frequency <= band[1] * (1.0 + 1e-9)) & (frequency > 0.0)
+    return frequency[inside], inside
+
+
+def _lines(
+    used: Measured, names: list[str], given: str | None, decay: bool, samples: int, band: tuple[float, float]
+) -> tuple[Lines, Complex, _Leaving, int, list[Finding]]:
+    """Lines to fit, responses for the starts, lines without each group of segments, and their number."""
+    f, inside = _inside(samples, used.rate, band)
+    if len(f) < _FEWEST_LINES:
+        raise RecordingError(
+            "the band is too narrow for modes",
+            where=f"{used.name}: band",
+            found=f"{len(f)} lines in {band_text(band)}",
+            allowed=f"at least {_FEWEST_LINES}",
+            hint="Take longer segments, a longer record or a wider band.",
+        )
+    if decay:
+        step = 1.0 / used.rate
+        values = np.stack([np.fft.rfft(used.values(name))[inside] * step for name in names], axis=1)
+        weight = np.ones(values.shape) / np.abs(values).max(axis=0)
+        return Lines("decay", f, values, weight, samples * step, step, is_hann=False), values, None, 0, []
+    signals, rate = _decimated(used, [*names, *([given] if given else [])], band[1])
+    samples = round(samples * rate / used.rate)
+    f, inside = _inside(samples, rate, band)
+    if given is not None:
+        signals = _whitened(signals, given)
+    outputs = [_segments(signals[name], rate, samples) for name in names]
+    count = outputs[0].shape[1]
+    groups = min(GROUPS, count)
+    if groups < _FEWEST_GROUPS:
+        raise RecordingError(
+            "the record is too short for intervals",
+            where=used.name,
+            found=f"{count} segments of {samples / rate:.3g} s",
+            allowed=f"at least {_FEWEST_GROUPS}",
+            hint="Take shorter segments, or a free decay.",
+        )
+    group = np.arange(count) * groups // count
+    if given is None:
+        made = _spectrum_lines(f, outputs, group, inside, samples / rate, 1.0 / rate)
+        return (*made, groups, [_smooth(used.name)])
+    source = _segments(signals[given], rate, samples)[inside]
+    made = _transfer_lines(f, source, [output[inside] for output in outputs], group, samples / rate, 1.0 / rate)
+    return (*made, groups, [])
+
+
+def _decimated(used: Measured, names: Sequence[str], highest: float) -> tuple[dict[str, Array], float]:
+    """Channels at a rate that suffices for the band, without phase, and that rate (Hz)."""
+    from scipy import signal
+
+    factor = max(1, int(used.rate / (_OVERSAMPLED * highest)))
+    values = {name: used.values(name) for name in names}
+    if factor == 1:
+        return values, used.rate
+    return {name: signal.resample_poly(one - one.mean(), 1, factor) for name, one in values.items()}, used.rate / factor
+
+
+_OVERSAMPLED = 6.0  # samples in the shortest period: filters against aliasing begin at 2.5
+
+
+def _whitened(signals: dict[str, Array], given: str) -> dict[str, Array]:
+    """Filter all channels so that the input has the same power at all frequencies, which no window can blur.
+
+    Input and outputs pass the same filter, so that what is between them stays: without it a road, whose power falls
+    with the square of the frequency, would leak from line to line and shift the lowest mode.
+    """
+    from scipy import signal
+    from scipy.linalg import solve_toeplitz
+
+    source = signals[given] - signals[given].mean()
+    size = len(source)
+    power = np.abs(np.fft.rfft(source, 2 * size)) ** 2
+    correlation = np.fft.irfft(power)[: _WHITENING + 1]
+    correlation[0] *= 1.0 + 1e-9
+    taps = np.concatenate([[1.0], -solve_toeplitz(correlation[:-1], correlation[1:])])
+    return {name: signal.lfilter(taps, [1.0], one - one.mean())[_WHITENING:] for name, one in signals.items()}
+
+
+_WHITENING = 8
+"""Order of the filter: two for the slope of a road's spectrum, the others for a resonance or two of a shaker."""
+
+
+def _segments(values: Array, rate: float, samples: int) -> Complex:
+    """Transforms of Hann segments that overlap by half, shape (frequencies, segments)."""
+    from scipy import signal
+
+    options: dict[str, Any] = {"window": "hann", "nperseg": samples, "noverlap": samples // 2, "detrend": "constant"}
+    return np.asarray(signal.stft(values, rate, boundary=None, padded=False, scaling="psd", **options)[2])
+
+
+def _transfer_lines(
+    f: Array, source: Complex, outputs: list[Complex], group: NDArray[np.int_], length: float, step: float
+) -> tuple[Lines, Complex, _Leaving]:
+    own = _by_group(np.abs(source) ** 2, group).real
+    cross = [_by_group(np.conj(source) * output, group) for output in outputs]
+    whole = own.sum(axis=1)
+    values = np.stack([one.sum(axis=1) / whole for one in cross], axis=1)
+    others = np.stack([(np.abs(output) ** 2).sum(axis=1) for output in outputs], axis=1)
+    noise = np.clip(others / whole[:, None] - np.abs(values) ** 2, 0.0, None)
+    noise = _smoothed(noise) + 1e-3 * np.abs(values) ** 2 + 1e-12 * (np.abs(values) ** 2).max(axis=0)
+
+    def leave_out(one: int) -> Complex:
+        rest = whole - own[:, one]
+        return np.stack([(part.sum(axis=1) - part[:, one]) / rest for part in cross], axis=1)
+
+    return Lines("transfer", f, values, 1.0 / np.sqrt(noise), length, step), values, leave_out
+
+
+def _spectrum_lines(
+    f: Array, outputs: list[Complex], group: NDArray[np.int_], inside: NDArray[np.bool_], length: float, step: float
+) -> tuple[Lines, Complex, _Leaving]:
+    powers = [_by_group(np.abs(output) ** 2, group).real for output in outputs]
+    whole = np.stack([one.sum(axis=1) for one in powers], axis=1) / len(group)
+    sizes = np.bincount(group)
+
+    def leave_out(one: int) -> Complex:
+        rest = len(group) - sizes[one]
+        parts = [(power.sum(axis=1) - power[:, one])[inside] / rest for power in powers]
+        return np.stack(parts, axis=1).astype(complex)
+
+    weight = 1.0 / (_smoothed(whole[inside]) + 1e-12 * whole[inside].max(axis=0))
+    lines = Lines("spectrum", f, whole[inside].astype(complex), weight, length, step)
+    response = np.stack([_causal(column)[inside] for column in whole.T], axis=1)
+    return lines, response, leave_out
+
+
+def _causal(density: Array) -> Complex:
+    """Transform of the correlation at positive lags, up to 0.4 of a segment, freed of the window."""
+    correlation = np.fft.irfft(density)
+    size = len(correlation)
+    u = np.arange(2 * size // 5) / size
+    seen = (1.0 - u) * (2.0 / 3.0 + np.cos(2.0 * np.pi * u) / 3.0) + np.sin(2.0 * np.pi * u) / (2.0 * np.pi)
+    positive = np.zeros(size)
+    positive[: len(u)] = correlation[: len(u)] / seen * (0.5 + 0.5 * np.cos(np.pi * u / u[-1]))
+    positive[0] *= 0.5
+    return np.asarray(np.fft.rfft(positive))
+
+
+def _by_group(segments: NDArray[Any], group: NDArray[np.int_]) -> NDArray[Any]:
+    """Sum of the segments of each group, shape (frequencies, groups)."""
+    return np.add.reduceat(segments, np.flatnonzero(np.diff(group, prepend=-1)), axis=1)
+
+
+def _smoothed(values: Array) -> Array:
+    """Mean over nine neighbouring lines."""
+    from scipy.ndimage import uniform_filter1d
+
+    return np.asarray(uniform_filter1d(values, 9, axis=0, mode="nearest"))
+
+
+def _smooth(where: str) -> Finding:
+    text = (
+        "without an input the excitation counts as smooth over the band: a peak of the excitation, such as an engine "
+        "or a lap's period, counts as a mode"
+    )
+    return Finding(where, "note", text)
+
+
+def _fitted(lines: Lines, starts: list[tuple[float, float, int]], count: int | None) -> tuple[PoleFit | None, Lines]:
+    """Fit the poles that the data ask for, or as many as are asked for; give them with the weights that were used."""
+    if not starts:
+        return None, lines
+    lines, fit = _refined(lines, parameters_of([start[:2] for start in starts]))
+    while fit.parameters.size > 2:
+        pairs = fit.parameters.size // 2
+        if count is not None and pairs <= count:
+            break
+        tries = [fit_poles(lines, np.delete(fit.parameters, [2 * k, 2 * k + 1])) for k in range(pairs)]
+        best = min(tries, key=lambda one: one.cost)
+        if count is None and _criterion(fit, lines) < _criterion(best, lines):
+            break
+        lines, fit = _refined(lines, best.parameters)
+    return fit, lines
+
+
+def _refined(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
+    """Fit, with weights that follow from the fit where lines scatter with their own level, or all alike."""
+    fit = fit_poles(lines, start)
+    if lines.kind == "transfer":
+        return lines, fit
+    for _ in range(2):
+        if lines.kind == "spectrum":
+            model = fit.model.real
+            weight = 1.0 / np.maximum(model, 0.05 * _smoothed(lines.values.real))
+        else:
+            left = np.sqrt(np.mean(np.abs(lines.values - fit.model) ** 2, axis=0))
+            weight = np.ones(lines.values.shape) / np.maximum(left, 1e-9 * np.abs(lines.values).max(axis=0))
+        lines = Lines(
+            lines.kind, lines.frequency, lines.values, weight, lines.length, lines.step, is_hann=lines.is_hann
+        )
+        fit = fit_poles(lines, fit.parameters)
+    return lines, fit
+
+
+def _criterion(fit: PoleFit, lines: Lines) -> float:
+    """Bayesian information criterion (Schwarz), with two numbers for each pole and two for each of its outputs."""
+    size = len(fit.residual) / (1.5 if lines.is_hann else 1.0)  # neighbouring lines of Hann segments share noise
+    numbers = fit.parameters.size * (1.0 + lines.values.shape[1])
+    return float(size * np.log(max(fit.cost, 1e-300) / size) + numbers * np.log(size))
+
+
+def _modes(
+    fit: PoleFit, lines: Lines, starts: list[tuple[float, float, int]], leave_out: _Leaving, groups: int
+) -> list[MeasuredMode]:
+    if leave_out is None:
+        linear = fit.parameters.size + 3
+        freedom = len(fit.residual) - fit.parameters.size - linear * lines.values.shape[1]
+        covariance = covariance_by_lines(fit, freedom)
+    else:
+        freedom = groups - 1
+        covariance = covariance_by_groups(fit, lines, leave_out, groups)
+    errors = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    factor = student_factor(max(freedom, 1))
+    modes = []
+    for k in range(0, fit.parameters.size, 2):
+        f, z = float(np.exp(fit.parameters[k])), float(1.0 / (1.0 + np.exp(-fit.parameters[k + 1])))
+        slopes = f, z * (1.0 - z)
+        frequency, ratio = (
+            Estimate(value, slope * float(error), _ends(back, parameter, factor * error))
+            for value, slope, error, parameter, back in (
+                (f, slopes[0], errors[k], fit.parameters[k], np.exp),
+                (z, slopes[1], errors[k + 1], fit.parameters[k + 1], _ratio),
+            )
+        )
+        nearest = min(starts, key=lambda start: abs(np.log(start[0] / f)))
+        modes.append(MeasuredMode(frequency, ratio, nearest[2]))
+    return modes
+
+
+def _ratio(parameter: float) -> float:
+    return float(1.0 / (1.0 + np.exp(-parameter)))
+
+
+def _ends(back: Callable[[float], float], parameter: float, half: float) -> tuple[float, float]:
+    """Ends of an interval that is symmetric in the logarithm."""
+    return float(back(parameter - half)), float(back(parameter + half))
+
+
+def _is_known(mode: MeasuredMode) -> bool:
+    error = mode.frequency.standard_error
+    return error is not None and error <= _LARGEST_ERROR * mode.frequency.value
+
+
+def _doubts(where: str, modes: list[MeasuredMode], count: int | None, band: tuple[float, float]) -> list[Finding]:
+    if not modes:
+        text = (
+            f"no mode is stable from {band_text(band)}: the denominators agree on no pole there. Look at coherence and "
+            "spectrum: is it excited, is the record long enough, is the mode outside of the band?"
+        )
+        return [Finding(where, "problem", text)]
+    findings = []
+    if count is not None and len(modes) < count:
+        text = f"{len(modes)} of {count} modes are stable; the record tells nothing of the others"
+        findings.append(Finding(where, "warning", text, float(len(modes))))
+    for mode in modes:
+        width = mode.damping_ratio.value * mode.frequency.value
+        value = mode.frequency.value
+        if not band[0] + width <= value <= band[1] - width:
+            text = f"the mode at {value:.3g} Hz lies at the edge of the band from {band_text(band)}: take a wider one"
+            findings.append(Finding(where, "warning", text, value))
+    return findings
+
+
+def _beside_model(
+    modes: list[MeasuredMode], rig: Rig, given: str | None, band: tuple[float, float], where: str
+) -> tuple[list[MeasuredMode], list[Finding]]:
+    """Lay the nearest mode of the model beside each; say which of the model's are not in the record."""
+    model = sliding_model(rig)
+    tracks = [name for name in model.inputs if f"{name} rate" in model.inputs]
+    findings = []
+    held = given is not None and given not in tracks
+    if held and given not in model.outputs:
+        text = f"the model has no channel {given}; its modes are not compared"
+        return modes, [Finding(where, "warning", text)]
+    if held:
+        text = f"{given} is an output of the rig: these are the modes, also of the model, with its motion held"
+        findings.append(Finding(where, "note", text))
+    theirs = oscillating(held_poles(model, given, tracks[0]) if held and given else np.linalg.eigvals(model.A))
+    remaining, beside = list(theirs), []
+    for mode in modes:
+        near = min(remaining, key=lambda pair: abs(np.log(pair[0] / mode.frequency.value)), default=None)
+        if near is None or not 1.0 / _NEAR < near[0] / mode.frequency.value < _NEAR:
+            beside.append(mode)
+            continue
+        remaining.remove(near)
+        beside.append(MeasuredMode(mode.frequency, mode.damping_ratio, mode.orders, *near))
+    for frequency, _ in remaining:
+        is_inside = band[0] <= frequency <= band[1]
+        why = "is not in the record" if is_inside else f"lies outside of the band from {band_text(band)}"
+        text = f"the model's mode at {frequency:.3g} Hz {why}"
+        findings.append(Finding(where, "warning" if is_inside else "note", text, frequency))
+    return beside, findings
+
+
+def oscillating(poles: NDArray[Any]) -> list[tuple[float, float]]:
+    """Frequency (Hz) and damping ratio (1) of each pair of poles (rad/s), by rising frequency.
+
+    >>> [(round(f, 3), round(z, 3)) for f, z in oscillating(np.roots([1.0, 2.0, 101.0]))]
+    [(1.599, 0.1)]
+    """
+    pairs = [(float(abs(p)) / (2.0 * np.pi), float(-p.real / abs(p))) for p in poles if p.imag > 1e-9 * abs(p)]
+    return sorted(pairs)
+
+
+def held_poles(model: LinearModel, output: str, track: str) -> Complex:
+    """Poles (rad/s) of what remains of a linear model whose output is held: the zeros from a track to that output."""
+    from scipy.linalg import eigvals
+
+    row, first = model.outputs.index(output), model.inputs.index(track)
+    b0, b1 = model.B[:, [first]], model.B[:, [first + 1]]
+    d0, d1 = model.D[row, first], model.D[row, first + 1]
+    size = len(model.states)
+    left = np.block([[model.A, b0], [model.C[[row]], np.array([[d0]])]])
+    right = np.block([[np.eye(size), -b1], [np.zeros((1, size)), np.array([[-d1]])]])
+    found = eigvals(left, right)
+    return np.asarray(found[np.isfinite(found) & (np.abs(found) < 1e8)])
+
+
+def _row(mode: MeasuredMode) -> dict[str, Any]:
+    row: dict[str, Any] = {}
+    for name in ("frequency", "damping_ratio"):
+        value = getattr(mode, name)
+        low, high = value.interval or (None, None)
+        row |= {name: value.value, f"{name}_low": low, f"{name}_high": high}
+        row[f"model_{name}"] = getattr(mode, f"model_{name}")
+    return {**row, "orders": mode.orders}

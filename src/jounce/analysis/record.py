@@ -1,0 +1,226 @@
+"""The record that is analysed: a Dataset, a table or a file, on uniform time, from one instant to another."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError, nearest
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.recordings import read_recording
+from jounce.recordings.carried import as_recording
+from jounce.recordings.quality import FEWEST_SAMPLES, check_instants, check_time
+from jounce.recordings.schema import describe
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+Source: TypeAlias = "xr.Dataset | pd.DataFrame | Path | str"
+"""A recording, a table, or a file in any format that `read_recording` reads."""
+ANTI_ALIAS_SHARE = 0.4
+"""Share of its own sample rate up to which a channel is used; filters against aliasing fall above it."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A record on uniform time.
+
+    Attributes
+    ----------
+    run : xarray.Dataset
+        Channels over ``time`` (s).
+    name : str
+        File, or ``recording``.
+    rate : float
+        Samples per second, Hz.
+    findings : tuple of Finding
+        What was said when the file was read.
+    """
+
+    run: xr.Dataset
+    name: str
+    rate: float
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def duration(self) -> float:
+        """Time from the first to the last sample, s."""
+        return (self.run.sizes["time"] - 1) / self.rate
+
+    @property
+    def names(self) -> list[str]:
+        """Channels with real numbers over time."""
+        return [str(name) for name, one in self.run.data_vars.items() if one.dims == ("time",) and _is_number(one)]
+
+    def unit(self, name: str) -> str:
+        """SI unit of a channel."""
+        return str(self.run[name].attrs.get("units", "1"))
+
+    def label(self, name: str) -> str:
+        """Name of a channel in words."""
+        return str(self.run[name].attrs.get("long_name") or describe(name))
+
+    def values(self, name: str) -> Array:
+        """Samples of a channel, shape (n,), in its unit; refused where some are missing."""
+        values = np.asarray(self.run[name].to_numpy(), dtype=float)
+        finite = np.isfinite(values)
+        if not finite.all():
+            lost = np.flatnonzero(~finite)
+            raise RecordingError(
+                f"{lost.size} of {values.size} samples are missing",
+                where=f"{self.name}: {name}",
+                found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
+                allowed="numbers throughout",
+                hint="Choose a stretch without gaps (begin, end), or read the file with resample.",
+            )
+        return values
+
+    def highest_frequency(self, name: str) -> float:
+        """Frequency (Hz) up to which a channel was recorded: below half its own rate where that was lower."""
+        own = self.run[name].attrs.get("recorded_rate")
+        return 0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
+
+
+def measured(record: Source | Measured, begin: float | str | None = None, end: float | str | None = None) -> Measured:
+    """Read or take a record, and cut it to a stretch of time (s).
+
+    Raises
+    ------
+    RecordingError
+        For a file that cannot be read, time with gaps or without constant steps, and an empty stretch.
+    """
+    whole = record if isinstance(record, Measured) else _read(record)
+    if begin is None and end is None:
+        return whole
+    time = whole.run["time"].to_numpy()
+    low = float(time[0]) if begin is None else to_si(begin, "s", where="begin")
+    high = float(time[-1]) if end is None else to_si(end, "s", where="end")
+    slack = 1e-6 / whole.rate
+    inside = np.flatnonzero((time >= low - slack) & (time <= high + slack))
+    if inside.size < FEWEST_SAMPLES:
+        raise RecordingError(
+            "the stretch holds too few samples",
+            where=whole.name,
+            found=f"{inside.size} from {low:g} s to {high:g} s",
+            allowed=f"at least {FEWEST_SAMPLES}, from {time[0]:g} s to {time[-1]:g} s",
+        )
+    return Measured(whole.run.isel(time=slice(inside[0], inside[-1] + 1)), whole.name, whole.rate, whole.findings)
+
+
+def _read(record: Source) -> Measured:
+    if isinstance(record, str | Path):
+        run, findings = read_recording(record)
+        return from_recording(run, str(record), tuple(findings))
+    return from_recording(as_recording(record), "recording")
+
+
+def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = ()) -> Measured:
+    """Take a recording whose time must be uniform."""
+    if "time" not in run.coords:
+        raise RecordingError("no time coordinate", where=name, allowed="a coordinate 'time' in s")
+    time = np.asarray(run["time"].to_numpy(), dtype=float)
+    steps = check_instants(time, where=name)
+    rate = (time.size - 1) / float(time[-1] - time[0])
+    if np.ptp(steps) * rate > _EVEN and check_time(time, where=name)[1]:
+        hint = "Read the file with resample, or bring the recording onto constant steps."
+        raise RecordingError("time is not uniform", where=name, hint=hint)
+    return Measured(run, name, rate, findings)
+
+
+_EVEN = 1e-9  # of a step, by which steps may differ without a closer look
+
+
+def chosen(record: Measured, names: Sequence[str] | str | None) -> list[str]:
+    """Channels to analyse: those named, in one text or several; all of them where none is."""
+    present = record.names
+    if names is None or not len(names):
+        if not present:
+            raise RecordingError("no channel over time", where=record.name)
+        return present
+    texts = [names] if isinstance(names, str) else names
+    wanted = [part.strip() for text in texts for part in text.split(",") if part.strip()]
+    for name in wanted:
+        check_channel(record, name)
+    return list(dict.fromkeys(wanted))
+
+
+def check_channel(record: Measured, name: str) -> str:
+    """Refuse a channel that the record does not have."""
+    if name not in record.names:
+        names = record.names
+        raise RecordingError(
+            f"no channel {name!r}", where=record.name, found=", ".join(names), hint=nearest(name, names)
+        )
+    return name
+
+
+def band_of(
+    record: Measured, band: tuple[float | str, float | str] | None, names: Sequence[str], lowest: float
+) -> tuple[tuple[float, float], list[Finding]]:
+    """Frequencies (Hz) to look at: those asked for, as far as all channels were recorded."""
+    tops = {name: record.highest_frequency(name) for name in names}
+    top = min(tops.values(), default=0.5 * record.rate)
+    low, high = (lowest, top) if band is None else (to_si(end, "Hz", where="band") for end in band)
+    if not 0.0 <= low < high or low >= top:
+        raise RecordingError(
+            "the band holds no frequency of the record",
+            where=f"{record.name}: band",
+            found=f"{low:g} Hz to {high:g} Hz",
+            allowed=f"two frequencies from 0 to {top:g} Hz",
+        )
+    slow = [name for name in names if tops[name] < min(high if band else 0.5 * record.rate, 0.5 * record.rate)]
+    findings = []
+    if high > top * (1.0 + 1e-9) or slow:
+        which = ", ".join(slow) or "the record"
+        text = f"{which}: recorded up to {top:g} Hz only; the band ends there"
+        findings = [Finding(record.name, "note", text, top)]
+    return (max(low, 0.0), min(high, top)), findings
+
+
+def constant_channels(record: Measured, names: Sequence[str]) -> tuple[list[str], list[Finding]]:
+    """Channels that move, and a warning for each that does not."""
+    moving, findings = [], []
+    for name in names:
+        values = record.values(name)
+        spread = float(np.ptp(values))
+        if spread <= _STILL * max(abs(float(values[0])), np.finfo(float).tiny):
+            text = f"the channel is constant ({values[0]:g}) and was left out; was the sensor connected?"
+            findings.append(Finding(f"{record.name}: {name}", "warning", text, float(values[0])))
+        else:
+            moving.append(name)
+    return moving, findings
+
+
+_STILL = 1e-12  # of a value, rounding
+
+
+def _is_number(variable: Any) -> bool:
+    return variable.dtype.kind in "fiu"
+
+
+def band_text(band: tuple[float, float]) -> str:
+    """Write a band.
+
+    >>> band_text((0.5, 30.0))
+    '0.5 to 30 Hz'
+    """
+    return f"{band[0]:.3g} to {band[1]:.4g} Hz"
+
+
+def frequency_ranges(frequency: Array, condition: NDArray[np.bool_]) -> list[tuple[float, float]]:
+    """First and last frequency of each stretch in which a condition, shape (n,), holds; the widest first.
+
+    >>> frequency_ranges(np.array([1.0, 2.0, 3.0, 4.0]), np.array([True, False, True, True]))
+    [(3.0, 4.0), (1.0, 1.0)]
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], condition.astype(np.int8), [0]])))
+    found = [(float(frequency[a]), float(frequency[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    return sorted(found, key=lambda ends: ends[0] - ends[1])

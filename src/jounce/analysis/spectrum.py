@@ -1,0 +1,313 @@
+"""Power spectral densities of channels by Welch's method, with confidence intervals, and the peaks that stand out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from jounce.analysis.record import Measured, Source, band_of, chosen, constant_channels, measured
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.ride.spectra import WINDOWS, Spectrum, independent_segments, power_spectrum
+
+LONGEST_SEGMENT = 8.0
+"""Length (s) of the segments of a long record: they resolve 0.19 Hz, half the width of a body's resonance at least."""
+FEWEST_PARTS = 8
+"""Segments of a short record, before they overlap: 15 with overlap, 28 degrees of freedom."""
+_FEWEST_SAMPLES = 64
+_FEW_AVERAGES = 4.0  # below it, an interval of 95 % spans a factor of 8
+_CHANCE = 1e-3  # that a peak of noise counts, each
+_MOST_PEAKS = 6
+
+
+@dataclass(frozen=True)
+class SpectralPeak(Plain):
+    """A peak of a spectrum that chance does not explain.
+
+    Attributes
+    ----------
+    frequency : float
+        Centre of what is above half of its height, Hz.
+    rms : float
+        Root mean square there, in the unit of the channel: that of a sine, or of the middle of a resonance.
+    ratio : float
+        Density over that of the valley beside it (1).
+    """
+
+    frequency: float
+    rms: float
+    ratio: float
+
+
+@dataclass(frozen=True)
+class ChannelSpectrum(Plain):
+    """One-sided power spectral density of a channel.
+
+    Attributes
+    ----------
+    channel, label, unit : str
+        Name, name in words, and SI unit of the channel.
+    frequency : ndarray, shape (n,)
+        Hz, within the band.
+    density : ndarray, shape (n,)
+        Unit of the channel squared per Hz.
+    rms : float
+        Root mean square within the band, in the unit of the channel.
+    peaks : tuple of SpectralPeak
+        By rising frequency.
+    """
+
+    channel: str
+    label: str
+    unit: str
+    frequency: Array
+    density: Array
+    rms: float
+    peaks: tuple[SpectralPeak, ...]
+
+
+@dataclass(frozen=True)
+class RecordSpectra(Plain):
+    """Spectra of the channels of a record.
+
+    Attributes
+    ----------
+    record : str
+        File, or ``recording``.
+    begin, end : float
+        First and last instant, s.
+    sample_rate : float
+        Samples per second, Hz.
+    band : (float, float)
+        Frequencies that are shown, Hz.
+    window : str
+        Window of each segment.
+    segment : float
+        Length of the segments, s.
+    resolution : float
+        Noise bandwidth of the window, Hz.
+    averages, degrees_of_freedom : float
+        Independent segments behind each density (1), and twice their number: its chi-squared distribution.
+    confidence : float
+        Level of the intervals (1).
+    interval : (float, float)
+        Factors (1) from a density to the ends of its interval.
+    channels : tuple of ChannelSpectrum
+        In the order of the record.
+    findings : tuple of Finding
+        What was left out, and what weakens the spectra.
+    """
+
+    record: str
+    begin: float
+    end: float
+    sample_rate: float
+    band: tuple[float, float]
+    window: str
+    segment: float
+    resolution: float
+    averages: float
+    degrees_of_freedom: float
+    confidence: float
+    interval: tuple[float, float]
+    channels: tuple[ChannelSpectrum, ...]
+    findings: tuple[Finding, ...]
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give one row for each frequency, with the density of each channel, SI."""
+        if not self.channels:
+            return []
+        columns = {"frequency": self.channels[0].frequency}
+        columns |= {channel.channel: channel.density for channel in self.channels}
+        table = np.stack(list(columns.values()), axis=1).tolist()
+        return [dict(zip(columns, row, strict=True)) for row in table]
+
+
+def estimate_spectra(
+    record: Source | Measured,
+    channels: Sequence[str] | str | None = None,
+    *,
+    band: tuple[float | str, float | str] | None = None,
+    segment: float | str | None = None,
+    window: str = "hann",
+    confidence: float = 0.95,
+    begin: float | str | None = None,
+    end: float | str | None = None,
+) -> RecordSpectra:
+    """Estimate the power spectral density of each channel by Welch's method, with its confidence interval.
+
+    Parameters
+    ----------
+    record : Dataset, DataFrame, Path or str
+        A recording, a table with columns ``name [unit]``, or a file.
+    channels : sequence of str, optional
+        Channels; all by default.
+    band : (float, float), optional
+        Lowest and highest frequency, Hz or text with a unit; by default all that were recorded.
+    segment : float or str, optional
+        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at most.
+    window : {"hann", "boxcar"}
+        Hann segments overlap by half; boxcar segments do not.
+    confidence : float
+        Level of the intervals (1), between 0 and 1.
+    begin, end : float or str, optional
+        Stretch of time that counts, s or text with a unit.
+
+    Returns
+    -------
+    RecordSpectra
+        One-sided densities in SI: their integral over the frequency is the mean square. Intervals are those of
+        stationary Gaussian noise (chi-squared); the power of a sine is better known.
+
+    Raises
+    ------
+    RecordingError
+        For an unreadable or too short record, missing samples, time without constant steps, unknown channels, a band
+        outside of the record, and a segment longer than the record.
+    DescriptionError
+        For an unknown window, and a confidence outside (0, 1).
+
+    References
+    ----------
+    bendat2010, section 8.5.
+
+    Examples
+    --------
+    >>> import jounce as jn, numpy as np
+    >>> t = np.arange(0.0, 60.0, 0.005)
+    >>> wave = jn.recording(t, {"sprung.az": (3.0 * np.sin(2.0 * np.pi * 5.0 * t), "m/s^2", "")})
+    >>> (found,) = jn.estimate_spectra(wave).channels
+    >>> round(found.rms**2, 3), [round(peak.frequency, 2) for peak in found.peaks]    # 3^2 / 2
+    (4.5, [5.0])
+    """
+    used = measured(record, begin, end)
+    names = chosen(used, channels)
+    check_confidence(confidence)
+    count = segment_samples(used, segment, FEWEST_PARTS)
+    length = count / used.rate
+    limits, notes = band_of(used, band, names, 0.0)
+    moving, still = constant_channels(used, names)
+    spectra = {name: power_spectrum(used.values(name), used.rate, segment=length, window=window) for name in moving}
+    averages = independent_segments(used.run.sizes["time"], count, window)
+    rows = tuple(_channel(used, name, one, limits) for name, one in spectra.items())
+    doubts = [] if averages >= _FEW_AVERAGES else [_few(used, length, averages)]
+    return RecordSpectra(
+        used.name,
+        float(used.run["time"][0]),
+        float(used.run["time"][-1]),
+        used.rate,
+        limits,
+        window,
+        length,
+        WINDOWS[window] / length,
+        averages,
+        2.0 * averages,
+        confidence,
+        chi_squared_factors(2.0 * averages, confidence),
+        rows,
+        (*used.findings, *still, *notes, *doubts),
+    )
+
+
+def check_confidence(confidence: float) -> None:
+    """Refuse a level outside (0, 1)."""
+    if not 0.0 < confidence < 1.0:
+        allowed = "between 0 and 1, such as 0.95"
+        raise DescriptionError("no level of confidence", where="confidence", found=confidence, allowed=allowed)
+
+
+def segment_samples(used: Measured, segment: float | str | None, parts: int, longest: float = LONGEST_SEGMENT) -> int:
+    """Samples in each segment; a ``parts``-th of the record by default, ``longest`` seconds at most."""
+    samples = used.run.sizes["time"]
+    if samples < _FEWEST_SAMPLES:
+        raise RecordingError(
+            "the record is too short for a spectrum",
+            where=used.name,
+            found=f"{samples} samples",
+            allowed=f"at least {_FEWEST_SAMPLES}",
+        )
+    usual = min(max(samples // parts, _FEWEST_SAMPLES // 4), int(longest * used.rate))
+    if segment is None:
+        return usual
+    length = to_si(segment, "s", where="segment")
+    count = round(length * used.rate)
+    if not _FEWEST_SAMPLES // 4 <= count <= samples:
+        shortest = _FEWEST_SAMPLES // 4 / used.rate
+        raise RecordingError(
+            "the segment does not fit the record",
+            where=f"{used.name}: segment",
+            found=f"{length:g} s",
+            allowed=f"{shortest:g} s to {samples / used.rate:g} s, such as {usual / used.rate:.3g} s",
+        )
+    return count
+
+
+def chi_squared_factors(freedom: float, confidence: float) -> tuple[float, float]:
+    """Factors from an estimate with so many degrees of freedom to the ends of its interval.
+
+    >>> [round(factor, 3) for factor in chi_squared_factors(10.0, 0.95)]
+    [0.488, 3.08]
+    """
+    from scipy.stats import chi2
+
+    tail = 0.5 * (1.0 - confidence)
+    return float(freedom / chi2.ppf(1.0 - tail, freedom)), float(freedom / chi2.ppf(tail, freedom))
+
+
+def _few(used: Measured, length: float, averages: float) -> Finding:
+    text = (
+        f"only {averages:.2g} independent segments of {length:.3g} s: densities scatter widely; "
+        "take a longer record or shorter segments"
+    )
+    return Finding(used.name, "warning", text, averages)
+
+
+def _channel(used: Measured, name: str, spectrum: Spectrum, band: tuple[float, float]) -> ChannelSpectrum:
+    frequency = spectrum.frequency
+    inside = (frequency >= band[0] * (1.0 - 1e-9)) & (frequency <= band[1] * (1.0 + 1e-9))
+    rms = spectrum.mean_square(*band) ** 0.5
+    peaks = spectral_peaks(spectrum, band)
+    return ChannelSpectrum(
+        name, used.label(name), used.unit(name), frequency[inside], spectrum.density[inside], rms, peaks
+    )
+
+
+def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[SpectralPeak, ...]:
+    """Peaks that rise from the valleys beside them by more than two estimates of one density differ by chance."""
+    from scipy.signal import find_peaks
+    from scipy.stats import f as f_distribution
+
+    freedom = 2.0 * spectrum.averages
+    least = float(np.log(f_distribution.ppf(1.0 - _CHANCE / len(spectrum.density), freedom, freedom)))
+    floor = float(spectrum.density.max()) * 1e-30
+    density = np.maximum(spectrum.density, floor)
+    where, facts = find_peaks(np.log(density), prominence=least, distance=3)
+    found = [
+        _peak(spectrum, density, int(at), float(np.exp(rise)))
+        for at, rise in zip(where, facts["prominences"], strict=True)
+        if band[0] <= spectrum.frequency[at] <= band[1]
+    ]
+    strongest = sorted(found, key=lambda peak: -peak.rms)[:_MOST_PEAKS]
+    return tuple(sorted(strongest, key=lambda peak: peak.frequency))
+
+
+def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> SpectralPeak:
+    """Centre and level of a peak: where the density, smoothed over five lines, is above half of the highest."""
+    smooth = np.convolve(density[max(at - _REACH, 0) : at + _REACH + 1], np.full(5, 0.2), "same")
+    inner = min(at, _REACH)
+    low = np.flatnonzero(smooth < 0.5 * smooth[inner])
+    first = max(int(low[low < inner].max(initial=-1)) + 1, 0)
+    last = min(int(low[low > inner].min(initial=len(smooth))), len(smooth))
+    lines = slice(max(at - inner + first, 0), at - inner + last)
+    f, step = spectrum.frequency[lines], spectrum.step
+    centre = float(f @ density[lines] / density[lines].sum())
+    return SpectralPeak(centre, spectrum.mean_square(float(f[0]) - step, float(f[-1]) + step) ** 0.5, ratio)
+
+
+_REACH = 400  # lines on each side of a peak, 50 Hz in segments of 8 s

@@ -1,0 +1,233 @@
+"""Statistics of each channel: level, range, distribution and drift, and how well level and r.m.s. are known."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from jounce.analysis.record import Measured, Source, chosen, measured
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.identify.estimate import Estimate, estimate
+from jounce.recordings.quality import check_channels
+
+PIECES = 20
+"""Pieces of a record whose scatter tells how well its mean and r.m.s. are known; 20 give 19 degrees of freedom."""
+_UNEVEN = 3.0  # r.m.s. of the loudest piece over that of the usual one; Gaussian noise of 50 periods reaches 1.5
+_DRIFT = 1.0  # of a standard deviation, that the trend covers from end to end; 3.5 is a straight line alone
+
+
+@dataclass(frozen=True)
+class ChannelStatistics(Plain):
+    """Statistics of one channel, in its unit.
+
+    Attributes
+    ----------
+    channel, label, unit : str
+        Name, name in words, and SI unit of the channel.
+    samples : int
+        Number of samples (1).
+    mean, rms : Estimate
+        Mean and root mean square, with 95 % intervals from the scatter of 20 pieces; no interval for shorter records.
+    standard_deviation : float
+        About the mean.
+    minimum, maximum : float
+        Extremes.
+    time_of_minimum, time_of_maximum : float
+        Where they are, s.
+    crest_factor : float
+        Largest distance from the mean over the standard deviation (1); 1.41 of a sine.
+    skewness, kurtosis : float
+        Third and fourth standardised moment (1); 0 and 3 of Gaussian noise, 0 and 1.5 of a sine.
+    crossings : float
+        Upward crossings of the mean per second, Hz: the frequency of a sine.
+    drift : float
+        Change of the fitted straight line from the first to the last sample.
+    """
+
+    channel: str
+    label: str
+    unit: str
+    samples: int
+    mean: Estimate
+    rms: Estimate
+    standard_deviation: float
+    minimum: float
+    maximum: float
+    time_of_minimum: float
+    time_of_maximum: float
+    crest_factor: float
+    skewness: float
+    kurtosis: float
+    crossings: float
+    drift: float
+
+    @property
+    def peak_to_peak(self) -> float:
+        """Distance of the extremes, in the unit of the channel."""
+        return self.maximum - self.minimum
+
+
+@dataclass(frozen=True)
+class RecordStatistics(Plain):
+    """Statistics of a record.
+
+    Attributes
+    ----------
+    record : str
+        File, or ``recording``.
+    begin, end : float
+        First and last instant, s.
+    sample_rate : float
+        Samples per second, Hz.
+    channels : tuple of ChannelStatistics
+        In the order of the record.
+    findings : tuple of Finding
+        Constant, clipped, frozen and drifting channels, and those whose level changes.
+    """
+
+    left_out = ("source",)
+    record: str
+    begin: float
+    end: float
+    sample_rate: float
+    channels: tuple[ChannelStatistics, ...]
+    findings: tuple[Finding, ...]
+    source: Measured
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give one row for each channel, SI."""
+        return [_row(channel) for channel in self.channels]
+
+
+def describe_channels(
+    record: Source | Measured,
+    channels: Sequence[str] | str | None = None,
+    *,
+    begin: float | str | None = None,
+    end: float | str | None = None,
+) -> RecordStatistics:
+    """Give the statistics of each channel of a record.
+
+    Parameters
+    ----------
+    record : Dataset, DataFrame, Path or str
+        A recording, a table with columns ``name [unit]``, or a file.
+    channels : sequence of str, optional
+        Channels; all by default.
+    begin, end : float or str, optional
+        Stretch of time that counts, s or text with a unit.
+
+    Returns
+    -------
+    RecordStatistics
+        Each channel in its SI unit. Intervals take the pieces of the record for independent: the level must not
+        change, and each piece must hold several periods.
+
+    Raises
+    ------
+    RecordingError
+        For an unreadable file, missing samples, time without constant steps, and unknown channels.
+
+    Examples
+    --------
+    >>> import jounce as jn, numpy as np
+    >>> t = np.arange(0.0, 10.0, 0.001)
+    >>> wave = jn.recording(t, {"sprung.az": (2.0 * np.sin(2.0 * np.pi * 5.0 * t), "m/s^2", "")})
+    >>> (found,) = jn.describe_channels(wave).channels
+    >>> round(found.rms.value, 3), round(found.crest_factor, 3), round(found.crossings, 1)
+    (1.414, 1.414, 5.0)
+    """
+    used = measured(record, begin, end)
+    names = chosen(used, channels)
+    values = {name: used.values(name) for name in names}
+    time = used.run["time"].to_numpy()
+    rows = tuple(_statistics(used, name, signal, time) for name, signal in values.items())
+    checked = () if used.findings else check_channels(values, where=used.name)
+    doubts = [finding for row in rows for finding in _doubts(used, row, values[row.channel])]
+    findings = (*used.findings, *checked, *doubts)
+    return RecordStatistics(used.name, float(time[0]), float(time[-1]), used.rate, rows, findings, used)
+
+
+def _statistics(used: Measured, name: str, signal: Array, time: Array) -> ChannelStatistics:
+    low, high = int(signal.argmin()), int(signal.argmax())
+    mean = float(signal.mean())
+    away = signal - mean
+    square = away * away
+    variance = float(square.mean())
+    deviation = variance**0.5
+    is_still = deviation <= 1e-12 * abs(mean) or deviation == 0.0
+    scale = 1.0 if is_still else deviation
+    above = away > 0.0
+    rising = int(np.count_nonzero(above[1:] & ~above[:-1]))
+    steps = np.arange(signal.size) - 0.5 * (signal.size - 1)
+    slope = float(steps @ away) / float(steps @ steps)
+    return ChannelStatistics(
+        name,
+        used.label(name),
+        used.unit(name),
+        signal.size,
+        _by_pieces(signal, mean),
+        _root(_by_pieces(signal * signal, variance + mean**2)),
+        deviation,
+        float(signal[low]),
+        float(signal[high]),
+        float(time[low]),
+        float(time[high]),
+        0.0 if is_still else max(float(signal[high]) - mean, mean - float(signal[low])) / scale,
+        0.0 if is_still else float(square @ away) / signal.size / scale**3,
+        0.0 if is_still else float(square @ square) / signal.size / scale**4,
+        0.0 if is_still else rising / used.duration,
+        slope * (signal.size - 1),
+    )
+
+
+def _by_pieces(values: Array, mean: float) -> Estimate:
+    """Estimate a mean by the scatter of the means of pieces."""
+    count = values.size // PIECES
+    if count < 2:
+        return Estimate(mean)
+    means = values[: count * PIECES].reshape(PIECES, count).mean(axis=1)
+    return estimate(mean, float(means.std(ddof=1)) / PIECES**0.5, PIECES - 1)
+
+
+def _root(square: Estimate) -> Estimate:
+    value = max(square.value, 0.0) ** 0.5
+    if square.interval is None or square.standard_error is None or value == 0.0:
+        return Estimate(value)
+    low, high = (max(end, 0.0) ** 0.5 for end in square.interval)
+    return Estimate(value, 0.5 * square.standard_error / value, (low, high))
+
+
+def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Finding]:
+    """Say where the level changes or drifts."""
+    at, found = f"{used.name}: {row.channel}", []
+    if abs(row.drift) > _DRIFT * row.standard_deviation > 0.0:
+        text = f"the channel drifts by {row.drift:.3g} {row.unit} from the first to the last sample"
+        found.append(Finding(at, "note", text, row.drift))
+    count = signal.size // PIECES
+    if count >= 2 and row.standard_deviation > 0.0:
+        levels = (signal[: count * PIECES].reshape(PIECES, count) - row.mean.value).std(axis=1)
+        usual, loudest = float(np.median(levels)), int(levels.argmax())
+        if levels[loudest] > _UNEVEN * usual:
+            step = count / used.rate
+            text = (
+                f"the level changes: the r.m.s. is {levels[loudest]:.3g} {row.unit} from {loudest * step:.3g} s to "
+                f"{(loudest + 1) * step:.3g} s after the beginning and usually {usual:.3g} {row.unit}; intervals of "
+                "mean, r.m.s. and spectra take it for constant"
+            )
+            found.append(Finding(at, "note", text, float(levels[loudest])))
+    return found
+
+
+def _row(channel: ChannelStatistics) -> dict[str, Any]:
+    plain = channel.to_dict()
+    for name in ("mean", "rms"):
+        given = plain[name]
+        low, high = given["interval"] or (None, None)
+        plain |= {name: given["value"], f"{name}_low": low, f"{name}_high": high}
+    return {**plain, "peak_to_peak": channel.peak_to_peak}

@@ -1,0 +1,367 @@
+"""Transfer function and coherence between two measured channels, with random errors, beside that of a linear model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.analysis.record import (
+    Measured,
+    Source,
+    band_of,
+    check_channel,
+    constant_channels,
+    frequency_ranges,
+    measured,
+)
+from jounce.analysis.spectrum import check_confidence, segment_samples
+from jounce.core.errors import RecordingError, unknown
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain, plain_table
+from jounce.core.types import Array
+from jounce.identify.estimate import student_factor
+from jounce.parts import Rig, as_rig
+from jounce.ride.spectra import WINDOWS, independent_segments
+from jounce.simulation.linear_model import LinearModel, linearise
+
+Estimator: TypeAlias = Literal["H1", "H2", "Hv"]
+FEWEST_PARTS = 16
+"""Segments of a short record, before they overlap: gains are known to 18 % where the coherence is a half."""
+LOW_COHERENCE = 0.5
+"""Below it less than half of the output follows the input: errors of the gain reach 13 % even with 30 segments."""
+_FEWEST_AVERAGES = 2.0
+_SELDOM = 0.02  # share of the band that may lack coherence without a word: the lines at its ends
+_EXCITED = 1e-3  # of the largest power of the input between its neighbours; what lies below is noise of 10 bits
+
+
+@dataclass(frozen=True)
+class TransferEstimate(Plain):
+    """Transfer function between two channels.
+
+    Attributes
+    ----------
+    record : str
+        File, or ``recording``.
+    output, given : str
+        Channels of output and input.
+    output_unit, given_unit : str
+        Their SI units.
+    estimator : {"H1", "H2", "Hv"}
+        H1 is right with noise in the output only, H2 with noise in the input only, Hv with noise in both.
+    begin, end : float
+        First and last instant, s.
+    sample_rate : float
+        Samples per second, Hz.
+    window : str
+        Window of each segment.
+    segment, resolution : float
+        Length of the segments, s, and noise bandwidth of the window, Hz.
+    averages : float
+        Independent segments (1).
+    confidence : float
+        Level of the intervals (1).
+    significant : float
+        Coherence (1) that two unrelated channels stay below with this confidence.
+    frequency : ndarray, shape (n,)
+        Hz, within the band.
+    response : ndarray of complex, shape (n,)
+        Unit of the output over that of the input; a positive angle leads.
+    coherence : ndarray, shape (n,)
+        Share (1) of the output that follows the input linearly.
+    gain_error : ndarray, shape (n,)
+        Relative standard error of the gain (1); infinite without coherence.
+    phase_error : ndarray, shape (n,)
+        Standard error of the phase, rad; infinite without coherence.
+    model : ndarray of complex, shape (n,), or None
+        The same of a linear model.
+    findings : tuple of Finding
+        Frequencies without coherence or excitation, and what the estimate takes for granted.
+    """
+
+    record: str
+    output: str
+    given: str
+    output_unit: str
+    given_unit: str
+    estimator: Estimator
+    begin: float
+    end: float
+    sample_rate: float
+    window: str
+    segment: float
+    resolution: float
+    averages: float
+    confidence: float
+    significant: float
+    frequency: Array
+    response: NDArray[np.complex128]
+    coherence: Array
+    gain_error: Array
+    phase_error: Array
+    model: NDArray[np.complex128] | None
+    findings: tuple[Finding, ...]
+
+    @property
+    def gain(self) -> Array:
+        """Magnitude, unit of the output over that of the input."""
+        return np.abs(self.response)
+
+    @property
+    def phase(self) -> Array:
+        """Angle, rad, from -pi to pi; positive where the output leads."""
+        return np.angle(self.response)
+
+    @property
+    def factor(self) -> float:
+        """Half width of an interval in standard errors (1)."""
+        return student_factor(2.0 * self.averages - 2.0, level=self.confidence)
+
+    @property
+    def gain_interval(self) -> tuple[Array, Array]:
+        """Lower and upper ends of the gain's interval, unit of the output over that of the input."""
+        half = self.factor * self.gain_error
+        return self.gain * np.clip(1.0 - half, 0.0, None), self.gain * (1.0 + half)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give one row for each frequency, SI."""
+        low, high = self.gain_interval
+        columns = {
+            "frequency": self.frequency,
+            "gain": self.gain,
+            "gain_low": low,
+            "gain_high": high,
+            "phase": self.phase,
+            "phase_error": self.phase_error,
+            "coherence": self.coherence,
+        }
+        if self.model is not None:
+            columns |= {"model_gain": np.abs(self.model), "model_phase": np.angle(self.model)}
+        table = np.stack(list(columns.values()), axis=1).tolist()
+        return [dict(zip(columns, row, strict=True)) for row in table]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI; complex numbers as real and imaginary parts."""
+        plain = {name: value for name, value in vars(self).items() if name not in ("response", "model")}
+        for name in ("response", "model"):
+            value = getattr(self, name)
+            parts = None if value is None else {"real": value.real, "imaginary": value.imag}
+            plain[name] = parts
+        return plain_table(plain)
+
+
+def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
+    record: Source | Measured,
+    output: str,
+    given: str,
+    *,
+    estimator: Estimator = "H1",
+    rig: Rig | Path | str | None = None,
+    band: tuple[float | str, float | str] | None = None,
+    segment: float | str | None = None,
+    window: str = "hann",
+    confidence: float = 0.95,
+    begin: float | str | None = None,
+    end: float | str | None = None,
+) -> TransferEstimate:
+    """Estimate transfer function and coherence between two channels of a record, with their random errors.
+
+    Parameters
+    ----------
+    record : Dataset, DataFrame, Path or str
+        A recording, a table with columns ``name [unit]``, or a file.
+    output, given : str
+        Channels of output and input.
+    estimator : {"H1", "H2", "Hv"}
+        H1 is right with noise in the output only, H2 with noise in the input only, Hv with noise in both.
+    rig : Rig, Path or str, optional
+        A rig whose linear model is compared, without dry friction: both channels must be its channels.
+    band : (float, float), optional
+        Lowest and highest frequency, Hz or text with a unit; by default all that both channels were recorded with.
+    segment : float or str, optional
+        Length of the segments that are averaged, s or text with a unit; by default a sixteenth of the record, 8 s at
+        most. It must be longer than the system rings: otherwise peaks come out too low, and the coherence with them.
+    window : {"hann", "boxcar"}
+        Hann segments overlap by half; boxcar segments do not.
+    confidence : float
+        Level of the intervals (1), between 0 and 1.
+    begin, end : float or str, optional
+        Stretch of time that counts, s or text with a unit.
+
+    Returns
+    -------
+    TransferEstimate
+        In SI. The relative standard error of the gain is ``sqrt((1 - c) / (2 n c))`` with the coherence c and n
+        independent segments, and so is that of the phase in rad; Hv's gain has ``sqrt((1 - c) / (2 n))``.
+
+    Raises
+    ------
+    RecordingError
+        For an unreadable or too short record, missing samples, a channel that is constant or unknown, a band outside of
+        the record, and fewer than two independent segments, whose coherence is 1 whatever they hold.
+    DescriptionError
+        For an unknown estimator or window, and a confidence outside (0, 1).
+
+    References
+    ----------
+    bendat2010, sections 6.1 and 9.2.
+
+    Examples
+    --------
+    >>> import jounce as jn, numpy as np
+    >>> noise = np.random.default_rng(0).normal(size=20_000)
+    >>> t = np.arange(noise.size) / 200.0
+    >>> run = jn.recording(t, {"road.z": (noise, "m", ""), "body.z": (2.0 * noise, "m", "")})
+    >>> found = jn.estimate_transfer(run, "body.z", "road.z")
+    >>> bool(np.allclose(found.gain[1:-1], 2.0)), bool(found.coherence[1:-1].min() > 0.999)
+    (True, True)
+    """
+    if estimator not in get_args(Estimator):
+        raise unknown(str(estimator), get_args(Estimator), what="estimator", where="estimator")
+    if window not in WINDOWS:
+        raise unknown(str(window), WINDOWS, what="window", where="window")
+    check_confidence(confidence)
+    used = measured(record, begin, end)
+    names = [check_channel(used, name) for name in (given, output)]
+    check_moving(used, names)
+    count = segment_samples(used, segment, FEWEST_PARTS)
+    averages = independent_segments(used.run.sizes["time"], count, window)
+    if averages < _FEWEST_AVERAGES:
+        raise RecordingError(
+            "a coherence needs two independent segments or more",
+            where=f"{used.name}: segment",
+            found=f"{averages:.2g} of {count / used.rate:g} s",
+            allowed=f"at most {used.duration / 3.0:.3g} s",
+        )
+    limits, notes = band_of(used, band, names, 0.5 * used.rate / count)
+    frequency, own, other, cross = _spectra(used, given, output, count, window)
+    inside = (frequency >= limits[0]) & (frequency <= limits[1])
+    frequency, own, other, cross = frequency[inside], own[inside], other[inside], cross[inside]
+    both = own * other
+    coherence = np.clip(np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0), 0.0, 1.0)
+    response = _response(estimator, own, other, cross)
+    error = phase_error(coherence, averages)
+    significant = 1.0 - (1.0 - confidence) ** (1.0 / max(averages - 1.0, 1e-9))
+    model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
+    doubts = [*_incoherent(used.name, frequency, coherence, own, significant), *words]
+    return TransferEstimate(
+        used.name,
+        output,
+        given,
+        used.unit(output),
+        used.unit(given),
+        estimator,
+        float(used.run["time"][0]),
+        float(used.run["time"][-1]),
+        used.rate,
+        window,
+        count / used.rate,
+        WINDOWS[window] * used.rate / count,
+        averages,
+        confidence,
+        significant,
+        frequency,
+        response,
+        coherence,
+        np.sqrt((1.0 - coherence) / (2.0 * averages)) if estimator == "Hv" else error,
+        error,
+        model,
+        (*used.findings, *notes, *doubts),
+    )
+
+
+def check_moving(used: Measured, names: list[str]) -> None:
+    """Refuse channels that are constant."""
+    still = constant_channels(used, names)[1]
+    if still:
+        raise RecordingError(
+            "the channel is constant",
+            where=still[0].place,
+            found=still[0].value,
+            allowed="a channel that moves",
+            hint="Was the sensor connected?",
+        )
+
+
+def phase_error(coherence: Array, averages: float) -> Array:
+    """Standard error of the phase (rad), and relative one of the gain of H1 and H2."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence)))
+
+
+def _spectra(
+    used: Measured, given: str, output: str, count: int, window: str
+) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
+    """Frequencies (Hz), and densities of input, output, and both together."""
+    from scipy import signal
+
+    x, y = used.values(given), used.values(output)
+    overlap = count // 2 if window == "hann" else 0
+    options: dict[str, Any] = {"fs": used.rate, "window": window, "nperseg": count, "noverlap": overlap}
+    frequency, own = signal.welch(x, **options)
+    other = signal.welch(y, **options)[1]
+    cross = signal.csd(x, y, **options)[1]
+    return frequency, own, other, cross
+
+
+def _response(estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Transfer function of an estimator; 0 where nothing excites."""
+    zero = np.zeros_like(cross)
+    if estimator == "H1":
+        return np.divide(cross, own, out=zero, where=own > 0.0)
+    size = abs(cross)
+    if estimator == "H2":
+        return np.divide(other * cross, size**2, out=zero, where=size > 0.0)
+    gain = np.sqrt(np.divide(other, own, out=np.zeros_like(own), where=own > 0.0))
+    return np.divide(gain * cross, size, out=zero, where=size > 0.0)
+
+
+def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, significant: float) -> list[Finding]:
+    """Say where the output does not follow the input, and why it may not."""
+    from scipy.ndimage import uniform_filter1d
+
+    low = uniform_filter1d(coherence, min(5, len(coherence))) < max(LOW_COHERENCE, significant)
+    share = float(low.mean())
+    if share < _SELDOM:
+        return []
+    ranges = ", ".join(f"{a:.3g} to {b:.3g}" for a, b in frequency_ranges(frequency, low)[:4])
+    if share > 0.95:
+        text = (
+            "the output does not follow the input anywhere in the band: are the channels of the same record, and does "
+            "the input excite this band?"
+        )
+        return [Finding(name, "problem", text, share)]
+    is_quiet = bool(np.median(own[low]) < _EXCITED * float(own.max()))
+    cause = "the input hardly excites there" if is_quiet else "noise, other inputs, lost contact or dry friction"
+    text = f"the coherence is below {LOW_COHERENCE:g} in {ranges} Hz ({cause}): the estimate tells little there"
+    return [Finding(name, "warning", text, share)]
+
+
+def sliding_model(rig: Rig) -> LinearModel:
+    """Linear model of a rig without dry friction, as it moves in large motions."""
+    frictions = {path: 0.0 for path, value in rig.parameters().items() if path.endswith("friction.force") and value}
+    return linearise(rig.with_changes(frictions) if frictions else rig)
+
+
+def _of_model(
+    rig: Rig, frequency: Array, output: str, given: str, where: str
+) -> tuple[NDArray[np.complex128] | None, list[Finding]]:
+    """The transfer function of a rig's linear model, or why there is none."""
+    model = sliding_model(rig)
+    tracks = [name for name in model.inputs if f"{name} rate" in model.inputs]
+    missing = [name for name in (output, given) if name not in model.outputs and name not in tracks]
+    if missing:
+        text = f"the model has no channel {', '.join(missing)}; its transfer function is not shown"
+        return None, [Finding(where, "warning", text)]
+    positive = np.maximum(frequency, 1e-6)
+    if given in tracks:
+        return model.frequency_response(positive, output, given), []
+    roads = [name for name in tracks if name.endswith("road.z")]
+    if len(roads) != 1:
+        text = f"{given} answers to several roads; the transfer function of the model is not shown"
+        return None, [Finding(where, "note", text)]
+    below = model.frequency_response(positive, given, roads[0])
+    return model.frequency_response(positive, output, roads[0]) / below, []
