@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.analysis.record import Measured, Source, chosen, constant_channels, measured
 from jounce.core.errors import DescriptionError, RecordingError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -107,6 +107,8 @@ class Integration(Plain):
         In the order of the record.
     findings : tuple of Finding
         How the corner was chosen, and what weakens the result.
+    source : Measured
+        The record that was integrated.
     """
 
     record: str
@@ -298,8 +300,7 @@ def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) 
     valley = int(np.argmin(density[:top]))
     above = np.flatnonzero(density[valley : top + 1] > _ABOVE_NOISE * density[valley])
     corner = max(float(f[valley + int(above[0])]) if above.size else float(f[top]) / 2.0, lowest)
-    text = f"the corner of {corner:.3g} Hz is where the density of the acceleration leaves its floor"
-    return corner, [Finding(at, "note", text, corner)]
+    return corner, [finding("analysis.corner", at, corner, corner=corner)]
 
 
 def _names(name: str) -> tuple[str, str]:
@@ -389,11 +390,7 @@ def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> li
     ends = float(max(np.ptp(values[:few]), np.ptp(values[-few:])))
     if ends <= max(0.1 * float(np.ptp(values)), 8.0 * (density * used.rate / 2.0) ** 0.5):
         return []
-    text = (
-        f"the record does not begin and end at rest: its ends still move by {ends:.3g} {used.unit(name)}; "
-        "choose a stretch from rest to rest, or random motion"
-    )
-    return [Finding(f"{used.name}: {name}", "warning", text, ends)]
+    return [finding("analysis.not_at_rest", f"{used.name}: {name}", ends, ends=ends, unit=used.unit(name))]
 
 
 def _whole_periods(used: Measured, period: float | None) -> int:

@@ -27,7 +27,7 @@ from jounce.analysis.record import Measured, Source, band_of, band_text, check_c
 from jounce.analysis.spectrum import segment_samples
 from jounce.analysis.transfer import check_moving, sliding_model
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, student_factor
@@ -174,8 +174,8 @@ def fit_modes(
         Lowest and highest frequency, Hz or text with a unit: as wide as a mode on both of its sides, at least. By
         default from three cycles in a segment to 40 Hz.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default a twenty-fourth of the record, from 2
-        to 8 s.
+        Length of the segments that are averaged, s or text with a unit; by default a twenty-fourth of the record, from
+        2 to 8 s.
     begin, end : float or str, optional
         Stretch of time that counts, s or text with a unit.
 
@@ -312,7 +312,7 @@ def _lines(
     group = np.arange(count) * groups // count
     if given is None:
         made = _spectrum_lines(f, outputs, group, inside, samples / rate, 1.0 / rate)
-        return (*made, groups, [_smooth(used.name)])
+        return (*made, groups, [finding("analysis.smooth_excitation", used.name)])
     source = _segments(signals[given], rate, samples)[inside]
     made = _transfer_lines(f, source, [output[inside] for output in outputs], group, samples / rate, 1.0 / rate)
     return (*made, groups, [])
@@ -422,14 +422,6 @@ def _smoothed(values: Array) -> Array:
     return np.asarray(uniform_filter1d(values, 9, axis=0, mode="nearest"))
 
 
-def _smooth(where: str) -> Finding:
-    text = (
-        "without an input the excitation counts as smooth over the band: a peak of the excitation, such as an engine "
-        "or a lap's period, counts as a mode"
-    )
-    return Finding(where, "note", text)
-
-
 def _fitted(lines: Lines, starts: list[tuple[float, float, int]], count: int | None) -> tuple[PoleFit | None, Lines]:
     """Fit the poles that the data ask for, or as many as are asked for; give them with the weights that were used."""
     if not starts:
@@ -516,22 +508,18 @@ def _is_known(mode: MeasuredMode) -> bool:
 
 
 def _doubts(where: str, modes: list[MeasuredMode], count: int | None, band: tuple[float, float]) -> list[Finding]:
+    low, high = band
     if not modes:
-        text = (
-            f"no mode is stable from {band_text(band)}: the denominators agree on no pole there. Look at coherence and "
-            "spectrum: is it excited, is the record long enough, is the mode outside of the band?"
-        )
-        return [Finding(where, "problem", text)]
+        return [finding("analysis.no_mode", where, low=low, high=high)]
     findings = []
     if count is not None and len(modes) < count:
-        text = f"{len(modes)} of {count} modes are stable; the record tells nothing of the others"
-        findings.append(Finding(where, "warning", text, float(len(modes))))
+        findings.append(finding("analysis.fewer_modes", where, len(modes), present=len(modes), wanted=count))
     for mode in modes:
         width = mode.damping_ratio.value * mode.frequency.value
-        value = mode.frequency.value
-        if not band[0] + width <= value <= band[1] - width:
-            text = f"the mode at {value:.3g} Hz lies at the edge of the band from {band_text(band)}: take a wider one"
-            findings.append(Finding(where, "warning", text, value))
+        frequency = mode.frequency.value
+        if not low + width <= frequency <= high - width:
+            edge = finding("analysis.mode_at_edge", where, frequency, frequency=frequency, low=low, high=high)
+            findings.append(edge)
     return findings
 
 
@@ -544,11 +532,9 @@ def _beside_model(
     findings = []
     held = given is not None and given not in tracks
     if held and given not in model.outputs:
-        text = f"the model has no channel {given}; its modes are not compared"
-        return modes, [Finding(where, "warning", text)]
+        return modes, [finding("analysis.no_model_channel", where, channels=given)]
     if held:
-        text = f"{given} is an output of the rig: these are the modes, also of the model, with its motion held"
-        findings.append(Finding(where, "note", text))
+        findings.append(finding("analysis.held_output", where, channel=given))
     theirs = oscillating(held_poles(model, given, tracks[0]) if held and given else np.linalg.eigvals(model.A))
     remaining, beside = list(theirs), []
     for mode in modes:
@@ -559,10 +545,13 @@ def _beside_model(
         remaining.remove(near)
         beside.append(MeasuredMode(mode.frequency, mode.damping_ratio, mode.orders, *near))
     for frequency, _ in remaining:
-        is_inside = band[0] <= frequency <= band[1]
-        why = "is not in the record" if is_inside else f"lies outside of the band from {band_text(band)}"
-        text = f"the model's mode at {frequency:.3g} Hz {why}"
-        findings.append(Finding(where, "warning" if is_inside else "note", text, frequency))
+        if band[0] <= frequency <= band[1]:
+            findings.append(finding("analysis.mode_not_measured", where, frequency, frequency=frequency))
+        else:
+            outside = finding(
+                "analysis.mode_outside_band", where, frequency, frequency=frequency, low=band[0], high=band[1]
+            )
+            findings.append(outside)
     return beside, findings
 
 

@@ -1,7 +1,8 @@
 """Poles behind measured frequency responses, spectra or free decays: starts by least squares, refined to the data.
 
 What is fitted has passed a window. A Welch estimate multiplies each impulse response or correlation by the window's
-own autocorrelation; the model does the same in closed form, so that short segments neither widen a peak nor damp a mode.
+own autocorrelation; the model does the same in closed form, so that short segments neither widen a peak nor add
+damping.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings import read_recording
@@ -179,9 +179,8 @@ def band_of(
     slow = [name for name in names if tops[name] < min(high if band else 0.5 * record.rate, 0.5 * record.rate)]
     findings = []
     if high > top * (1.0 + 1e-9) or slow:
-        which = ", ".join(slow) or "the record"
-        text = f"{which}: recorded up to {top:g} Hz only; the band ends there"
-        findings = [Finding(record.name, "note", text, top)]
+        channels = ", ".join(slow) or "the record"
+        findings = [finding("analysis.band_ends", record.name, top, channels=channels, highest=top)]
     return (max(low, 0.0), min(high, top)), findings
 
 
@@ -192,8 +191,8 @@ def constant_channels(record: Measured, names: Sequence[str]) -> tuple[list[str]
         values = record.values(name)
         spread = float(np.ptp(values))
         if spread <= _STILL * max(abs(float(values[0])), np.finfo(float).tiny):
-            text = f"the channel is constant ({values[0]:g}) and was left out; was the sensor connected?"
-            findings.append(Finding(f"{record.name}: {name}", "warning", text, float(values[0])))
+            level = float(values[0])
+            findings.append(finding("analysis.constant", f"{record.name}: {name}", level, level=level))
         else:
             moving.append(name)
     return moving, findings

@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.analysis.record import Measured, Source, band_of, chosen, constant_channels, measured
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -22,7 +22,7 @@ FEWEST_PARTS = 8
 """Segments of a short record, before they overlap: 15 with overlap, 28 degrees of freedom."""
 _FEWEST_SAMPLES = 64
 _FEW_AVERAGES = 4.0  # below it, an interval of 95 % spans a factor of 8
-_CHANCE = 1e-3  # that a peak of noise counts, each
+_CHANCE = 0.05  # that noise has a peak at all
 _MOST_PEAKS = 6
 
 
@@ -151,7 +151,8 @@ def estimate_spectra(
     band : (float, float), optional
         Lowest and highest frequency, Hz or text with a unit; by default all that were recorded.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at most.
+        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at
+        most.
     window : {"hann", "boxcar"}
         Hann segments overlap by half; boxcar segments do not.
     confidence : float
@@ -196,7 +197,8 @@ def estimate_spectra(
     spectra = {name: power_spectrum(used.values(name), used.rate, segment=length, window=window) for name in moving}
     averages = independent_segments(used.run.sizes["time"], count, window)
     rows = tuple(_channel(used, name, one, limits) for name, one in spectra.items())
-    doubts = [] if averages >= _FEW_AVERAGES else [_few(used, length, averages)]
+    few = finding("analysis.few_segments", used.name, averages, averages=averages, length=length)
+    doubts = [few] if averages < _FEW_AVERAGES else []
     return RecordSpectra(
         used.name,
         float(used.run["time"][0]),
@@ -260,14 +262,6 @@ def chi_squared_factors(freedom: float, confidence: float) -> tuple[float, float
     return float(freedom / chi2.ppf(1.0 - tail, freedom)), float(freedom / chi2.ppf(tail, freedom))
 
 
-def _few(used: Measured, length: float, averages: float) -> Finding:
-    text = (
-        f"only {averages:.2g} independent segments of {length:.3g} s: densities scatter widely; "
-        "take a longer record or shorter segments"
-    )
-    return Finding(used.name, "warning", text, averages)
-
-
 def _channel(used: Measured, name: str, spectrum: Spectrum, band: tuple[float, float]) -> ChannelSpectrum:
     frequency = spectrum.frequency
     inside = (frequency >= band[0] * (1.0 - 1e-9)) & (frequency <= band[1] * (1.0 + 1e-9))
@@ -284,9 +278,11 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
     from scipy.stats import f as f_distribution
 
     freedom = 2.0 * spectrum.averages
-    least = float(np.log(f_distribution.ppf(1.0 - _CHANCE / len(spectrum.density), freedom, freedom)))
+    # A peak and the valley beside it are the extremes of many lines: each pair of lines counts.
+    least = float(np.log(f_distribution.isf(_CHANCE / len(spectrum.density) ** 2, freedom, freedom)))
     floor = float(spectrum.density.max()) * 1e-30
     density = np.maximum(spectrum.density, floor)
+    density[:2], density[-1] = density[2], density[-2]  # the mean was taken off; the last line has half the freedom
     where, facts = find_peaks(np.log(density), prominence=least, distance=3)
     found = [
         _peak(spectrum, density, int(at), float(np.exp(rise)))

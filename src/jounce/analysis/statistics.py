@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from jounce.analysis.record import Measured, Source, chosen, measured
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, estimate
@@ -23,7 +23,7 @@ _DRIFT = 1.0  # of a standard deviation, that the trend covers from end to end; 
 
 @dataclass(frozen=True)
 class ChannelStatistics(Plain):
-    """Statistics of one channel, in its unit.
+    """Level, range and distribution of one channel, in its unit.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class ChannelStatistics(Plain):
 
 @dataclass(frozen=True)
 class RecordStatistics(Plain):
-    """Statistics of a record.
+    """Statistics of every channel that was chosen, with what they show of the sensors.
 
     Attributes
     ----------
@@ -88,6 +88,8 @@ class RecordStatistics(Plain):
         In the order of the record.
     findings : tuple of Finding
         Constant, clipped, frozen and drifting channels, and those whose level changes.
+    source : Measured
+        The record behind them.
     """
 
     left_out = ("source",)
@@ -207,20 +209,26 @@ def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Findi
     """Say where the level changes or drifts."""
     at, found = f"{used.name}: {row.channel}", []
     if abs(row.drift) > _DRIFT * row.standard_deviation > 0.0:
-        text = f"the channel drifts by {row.drift:.3g} {row.unit} from the first to the last sample"
-        found.append(Finding(at, "note", text, row.drift))
+        found.append(finding("analysis.drift", at, row.drift, drift=row.drift, unit=row.unit))
     count = signal.size // PIECES
     if count >= 2 and row.standard_deviation > 0.0:
         levels = (signal[: count * PIECES].reshape(PIECES, count) - row.mean.value).std(axis=1)
         usual, loudest = float(np.median(levels)), int(levels.argmax())
         if levels[loudest] > _UNEVEN * usual:
             step = count / used.rate
-            text = (
-                f"the level changes: the r.m.s. is {levels[loudest]:.3g} {row.unit} from {loudest * step:.3g} s to "
-                f"{(loudest + 1) * step:.3g} s after the beginning and usually {usual:.3g} {row.unit}; intervals of "
-                "mean, r.m.s. and spectra take it for constant"
+            level, begin = float(levels[loudest]), loudest * step
+            found.append(
+                finding(
+                    "analysis.level_changes",
+                    at,
+                    level,
+                    loudest=level,
+                    usual=usual,
+                    begin=begin,
+                    end=begin + step,
+                    unit=row.unit,
+                )
             )
-            found.append(Finding(at, "note", text, float(levels[loudest])))
     return found
 
 

@@ -20,7 +20,7 @@ from jounce.analysis.record import (
 )
 from jounce.analysis.spectrum import check_confidence, segment_samples
 from jounce.core.errors import RecordingError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
@@ -328,16 +328,14 @@ def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, signi
     if share < _SELDOM:
         return []
     ranges = ", ".join(f"{a:.3g} to {b:.3g}" for a, b in frequency_ranges(frequency, low)[:4])
-    if share > 0.95:
-        text = (
-            "the output does not follow the input anywhere in the band: are the channels of the same record, and does "
-            "the input excite this band?"
-        )
-        return [Finding(name, "problem", text, share)]
+    if share > _NEARLY_ALL:
+        return [finding("analysis.incoherent", name, share)]
     is_quiet = bool(np.median(own[low]) < _EXCITED * float(own.max()))
     cause = "the input hardly excites there" if is_quiet else "noise, other inputs, lost contact or dry friction"
-    text = f"the coherence is below {LOW_COHERENCE:g} in {ranges} Hz ({cause}): the estimate tells little there"
-    return [Finding(name, "warning", text, share)]
+    return [finding("analysis.low_coherence", name, share, limit=LOW_COHERENCE, ranges=ranges, cause=cause)]
+
+
+_NEARLY_ALL = 0.95  # of the band without coherence: what is left may have it by chance
 
 
 def sliding_model(rig: Rig) -> LinearModel:
@@ -354,14 +352,12 @@ def _of_model(
     tracks = [name for name in model.inputs if f"{name} rate" in model.inputs]
     missing = [name for name in (output, given) if name not in model.outputs and name not in tracks]
     if missing:
-        text = f"the model has no channel {', '.join(missing)}; its transfer function is not shown"
-        return None, [Finding(where, "warning", text)]
+        return None, [finding("analysis.no_model_channel", where, channels=", ".join(missing))]
     positive = np.maximum(frequency, 1e-6)
     if given in tracks:
         return model.frequency_response(positive, output, given), []
     roads = [name for name in tracks if name.endswith("road.z")]
     if len(roads) != 1:
-        text = f"{given} answers to several roads; the transfer function of the model is not shown"
-        return None, [Finding(where, "note", text)]
+        return None, [finding("analysis.several_roads", where, channel=given)]
     below = model.frequency_response(positive, given, roads[0])
     return model.frequency_response(positive, output, roads[0]) / below, []

@@ -1,5 +1,10 @@
 # The names of the package; `lazy_loader` loads what is used.
 
+from .analysis import integration_page as integration_page
+from .analysis import measured_modes_page as measured_modes_page
+from .analysis import spectra_page as spectra_page
+from .analysis import statistics_page as statistics_page
+from .analysis import transfer_page as transfer_page
 from .animation import animate as animate
 from .campaign import campaign_page as campaign_page
 from .campaign import write_campaign as write_campaign

@@ -1,0 +1,318 @@
+"""What is analysed of a record as pages: statistics, spectra, transfer functions, modes, integrated accelerations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.display import display_unit
+from jounce.plots import figure_of
+from jounce.plots.display import digits_for, number, percent, quantity
+from jounce.report.page import (
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Picture,
+    Section,
+    Table,
+    table_of,
+    worst_first,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from jounce.analysis.integrate import Integration
+    from jounce.analysis.modes import FittedModes, MeasuredMode
+    from jounce.analysis.spectrum import RecordSpectra, SpectralPeak
+    from jounce.analysis.statistics import ChannelStatistics, RecordStatistics
+    from jounce.analysis.transfer import TransferEstimate
+    from jounce.core.findings import Finding
+    from jounce.identify.estimate import Estimate
+
+
+def statistics_page(found: RecordStatistics, *, title: str) -> Page:
+    """Put the statistics of each channel on a page.
+
+    Parameters
+    ----------
+    found : RecordStatistics
+        As :func:`jounce.describe_channels` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    rows = [_levels(channel) for channel in found.channels]
+    header = ("channel", "unit", "mean", "r.m.s.", "standard deviation", "minimum", "maximum")
+    note = "± half of the 95 % interval, from the scatter of 20 parts of the record."
+    levels = Table("Level and range", header, tuple(rows), "llrrrrr", note)
+    shapes = (
+        Column("channel", [channel.channel for channel in found.channels]),
+        Column("crest factor", [channel.crest_factor for channel in found.channels], "1"),
+        Column("skewness", [channel.skewness for channel in found.channels], "1"),
+        Column("kurtosis", [channel.kurtosis for channel in found.channels], "1"),
+        Column("crossings per second", [channel.crossings for channel in found.channels], "Hz"),
+    )
+    gauss = "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
+    words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
+    picture = Picture(lambda: figure_of(found), "channels", words, words)
+    blocks: list[Block] = [levels, *_said(found.findings), picture, table_of("Distribution", shapes, gauss)]
+    return Page(title, (Section("Answer", tuple(blocks)),), _stretch(found.begin, found.end, found.sample_rate))
+
+
+def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
+    unit = display_unit(channel.unit, max(abs(channel.minimum), abs(channel.maximum)))
+    values = (channel.standard_deviation, channel.minimum, channel.maximum)
+    levels = (_with_half(estimate, unit.factor) for estimate in (channel.mean, channel.rms))
+    return (channel.channel, unit.name or "–", *levels, *(number(value * unit.factor) for value in values))
+
+
+def _with_half(found: Estimate, factor: float = 1.0) -> str:
+    """A value and half of its interval."""
+    if found.interval is None:
+        return number(found.value * factor)
+    half = 0.5 * (found.interval[1] - found.interval[0]) * factor
+    value = found.value * factor
+    return f"{number(value, digits_for(value, half))} ± {number(half, 2)}"
+
+
+def spectra_page(found: RecordSpectra, *, title: str) -> Page:
+    """Put the spectra of a record on a page, with the peaks that stand out.
+
+    Parameters
+    ----------
+    found : RecordSpectra
+        As :func:`jounce.estimate_spectra` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    low, high = found.interval
+    facts = Facts(
+        (
+            Fact(
+                "resolution", quantity(found.resolution, "Hz", 3), f"{found.window} segments of {found.segment:.3g} s"
+            ),
+            Fact(
+                "degrees of freedom", number(found.degrees_of_freedom, 3), f"{found.averages:.3g} independent segments"
+            ),
+            Fact(
+                f"{100.0 * found.confidence:g} % interval",
+                f"{number(low, 3)} to {number(high, 3)} of a density",
+                "stationary Gaussian noise",
+            ),
+        )
+    )
+    band = f"r.m.s. from {found.band[0]:.3g} to {found.band[1]:.4g} Hz"
+    rows = tuple((row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in found.channels)
+    table = Table("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
+    words = "Power spectral density of each channel; shaded: its interval; circles: peaks."
+    picture = Picture(lambda: figure_of(found), "spectra", words, words)
+    blocks: list[Block] = [facts, table, *_said(found.findings), picture]
+    peaks = [(row, peak) for row in found.channels for peak in row.peaks]
+    if peaks:
+        cells = tuple(
+            (row.channel, number(peak.frequency), quantity(peak.rms, row.unit), f"{number(peak.ratio, 3)} times")
+            for row, peak in peaks
+        )
+        header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the valley beside it")
+        blocks.append(Table("Peaks", header, cells, "lrrr"))
+    return Page(title, (Section("Answer", tuple(blocks)),), _stretch(found.begin, found.end, found.sample_rate))
+
+
+def _peaks(peaks: Sequence[SpectralPeak]) -> str:
+    texts = [number(peak.frequency, 3) for peak in peaks]
+    return f"{', '.join(texts)} Hz" if texts else "–"
+
+
+def transfer_page(found: TransferEstimate, *, title: str) -> Page:
+    """Put a transfer function on a page: what it rests on, gain, phase and coherence.
+
+    Parameters
+    ----------
+    found : TransferEstimate
+        As :func:`jounce.estimate_transfer` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    good = found.coherence >= 0.8
+    facts = [
+        Fact("estimator", found.estimator, _ESTIMATORS[found.estimator]),
+        Fact("resolution", quantity(found.resolution, "Hz", 3), f"{found.window} segments of {found.segment:.3g} s"),
+        Fact("independent segments", number(found.averages, 3), f"chance stays below {found.significant:.2g}"),
+        Fact("coherence of 0.8 or more", percent(float(good.mean())), "of the band"),
+    ]
+    words = f"Gain, phase and coherence of {found.output} over {found.given}; shaded: intervals."
+    if found.model is not None:
+        apart = np.abs(found.response[good] / found.model[good] - 1.0) if good.any() else np.empty(0)
+        usual = float(np.median(apart)) if apart.size else None
+        facts.append(Fact("model", percent(usual), "median distance where the coherence is 0.8 or more"))
+        words += " Dashed: the linear model."
+    picture = Picture(lambda: figure_of(found), "transfer", words, words)
+    blocks: list[Block] = [Facts(tuple(facts)), *_said(found.findings), picture, _octaves(found)]
+    subtitle = f"{found.output} over {found.given}; {_stretch(found.begin, found.end, found.sample_rate)}"
+    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+
+
+_ESTIMATORS = {
+    "H1": "right with noise in the output",
+    "H2": "right with noise in the input",
+    "Hv": "right with equal noise in both",
+}
+
+
+def _octaves(found: TransferEstimate) -> Table:
+    """Gain, phase and coherence at third octaves."""
+    f = found.frequency
+    wanted = 10.0 ** (np.arange(-20, 41) / 10.0)
+    inside = wanted[(wanted >= f[0]) & (wanted <= f[-1])]
+    lines = sorted({int(np.argmin(abs(f - at))) for at in inside})
+    output, given = display_unit(found.output_unit), display_unit(found.given_unit)
+    factor = output.factor / given.factor
+    half = found.factor * found.gain_error
+    rows = tuple(
+        (
+            number(float(f[i]), 3),
+            f"{number(float(found.gain[i]) * factor, 3)} ± {percent(_finite(half[i]), 1)}",
+            f"{number(float(np.degrees(found.phase[i])), 3)}",
+            number(float(found.coherence[i]), 3),
+            *(() if found.model is None else (number(float(abs(found.model[i])) * factor, 3),)),
+        )
+        for i in lines
+    )
+    per = f"({output.name})/{given.name}" if "/" in output.name else f"{output.name or 1}/{given.name or 1}"
+    model = () if found.model is None else ("gain of the model",)
+    header = ("frequency [Hz]", f"gain [{per}]", "phase [°]", "coherence", *model)
+    note = f"At third octaves; ± half of the {100.0 * found.confidence:g} % interval."
+    return Table("Transfer function", header, rows, "r" * len(header), note)
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if value < 10.0 else None
+
+
+def measured_modes_page(found: FittedModes, *, title: str) -> Page:
+    """Put measured modes on a page, beside those of a model.
+
+    Parameters
+    ----------
+    found : FittedModes
+        As :func:`jounce.fit_modes` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    has_model = any(mode.model_frequency is not None for mode in found.modes)
+    rows = tuple(_mode(mode, has_model=has_model) for mode in found.modes)
+    model = ("of the model [Hz]", "apart", "of the model", "apart") if has_model else ()
+    header = ("frequency [Hz]", *model[:2], "damping ratio", *model[2:], "orders that agree")
+    note = "± half of the 95 % interval. Undamped natural frequencies."
+    if has_model:
+        note += " A model's value in the interval is not apart from what was measured."
+    what = {
+        "transfer": f"transfer functions from {found.given} to {', '.join(found.outputs)}",
+        "spectrum": f"spectra of {', '.join(found.outputs)}",
+        "decay": f"the free decay of {', '.join(found.outputs)}",
+    }[found.kind]
+    words = "Measured (thin) and fitted; below: poles of denominators of rising order, filled where they are stable."
+    if has_model:
+        words += " Dashed: modes of the model."
+    picture = Picture(lambda: figure_of(found), "modes", words, words)
+    table = Table(f"Modes of {what}", header, rows, "r" * len(header), note)
+    blocks: list[Block] = [*([table] if rows else []), *_said(found.findings), picture]
+    band = f"{found.band[0]:.3g} to {found.band[1]:.4g} Hz"
+    subtitle = f"{band}; {_stretch(found.begin, found.end, found.sample_rate)}"
+    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+
+
+def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
+    cells: list[str] = []
+    pairs = ((mode.frequency, mode.model_frequency), (mode.damping_ratio, mode.model_damping_ratio))
+    for measured, model in pairs:
+        cells.append(_with_half(measured))
+        if has_model:
+            apart = None if model is None else model / measured.value - 1.0
+            inside = model is not None and measured.has(model)
+            cells += [number(model), f"{percent(apart)}{', within' if inside else ''}"]
+    return (*cells, str(mode.orders))
+
+
+def integration_page(found: Integration, *, title: str) -> Page:
+    """Put integrated accelerations on a page, with the band in which they hold and their errors.
+
+    Parameters
+    ----------
+    found : Integration
+        As :func:`jounce.integrate_acceleration` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    inside = (found.time >= found.valid[0]) & (found.time <= found.valid[1])
+    rows = tuple(
+        (
+            one.displacement_channel,
+            quantity(float(np.std(one.displacement[inside])), one.displacement_unit, 3),
+            quantity(float(np.ptp(one.displacement[inside])), one.displacement_unit, 3),
+            quantity(one.displacement_error, one.displacement_unit, 2),
+            quantity(one.removed, one.displacement_unit, 2),
+            f"{number(one.band[0], 3)} to {number(one.band[1])} Hz",
+        )
+        for one in found.channels
+    )
+    header = ("channel", "r.m.s.", "peak to peak", "noise adds", "removed", "amplitudes within 5 %")
+    note = {
+        "random": "Removed: displacement below the corner, of drift and of motion that is lost.",
+        "transient": "Removed: what offset and drift of the sensor would have added.",
+        "periodic": "Removed: what does not repeat itself.",
+    }[found.motion]
+    table = Table("Displacements", header, rows, "lrrrrr", note)
+    speeds = tuple(
+        (
+            one.velocity_channel,
+            quantity(float(np.std(one.velocity[inside])), one.velocity_unit, 3),
+            quantity(one.velocity_error, one.velocity_unit, 2),
+            f"{number(one.noise, 3)} {one.unit.replace('^2', '²')}/√Hz",
+            "–" if one.corner == 0.0 else f"{number(one.corner, 3)} Hz",
+        )
+        for one in found.channels
+    )
+    velocity = Table("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
+    words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
+    picture = Picture(lambda: figure_of(found), "integrated", words, words)
+    blocks: list[Block] = [table, *_said(found.findings), picture, velocity]
+    subtitle = f"{found.motion} motion, valid from {found.valid[0]:.4g} s to {found.valid[1]:.4g} s"
+    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+
+
+def _said(findings: Sequence[Finding]) -> list[Block]:
+    return [Findings(worst_first(findings))] if findings else []
+
+
+def _stretch(begin: float, end: float, rate: float) -> str:
+    return f"{begin:.4g} s to {end:.4g} s at {rate:.6g} Hz"
