@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
-from jounce.analysis.record import Measured, Source, chosen, constant_channels, measured
+from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, chosen, constant_channels, measured
 from jounce.core.errors import DescriptionError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Mark, Number, operation
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -133,23 +134,51 @@ class Integration(Plain):
         return recording_of(self.time, signals, {"valid_from": self.valid[0], "valid_to": self.valid[1]})
 
 
+@operation(
+    "analyse integrate",
+    named={"channels": "channel", "begin": "from", "end": "to"},
+    offers=("recording", "figure", "report"),
+    page="jounce.report:integration_page",
+    title="Motion of {record}",
+    doing="integrating",
+    example='jounce analyse integrate lap.csv --channel sprung.az --above "0.5 Hz" --out motion.csv',
+)
 def integrate_acceleration(
-    record: Source | Measured,
-    channels: Sequence[str] | str | None = None,
+    record: AnyRecord,
+    channels: Annotated[Sequence[str] | str | None, CHANNELS] = None,
     *,
-    motion: Motion = "random",
-    above: float | str | None = None,
-    period: float | str | None = None,
-    noise: float | None = None,
-    begin: float | str | None = None,
-    end: float | str | None = None,
+    motion: Annotated[Motion, Mark("random, transient (from rest to rest) or periodic.", "MOTION")] = "random",
+    above: Annotated[
+        float | str | None,
+        Number(
+            "Corner of random motion; by default where the density leaves its floor.",
+            "FREQUENCY",
+            "Hz",
+            is_positive=True,
+        ),
+    ] = None,
+    period: Annotated[
+        float | str | None,
+        Number("Period of periodic motion; by default the whole record.", "TIME", "s", is_positive=True),
+    ] = None,
+    noise: Annotated[
+        float | None,
+        Number(
+            "Density of the sensor's noise, in SI per root of Hz; by default the least of the record.",
+            "DENSITY",
+            "1",
+            is_positive=True,
+        ),
+    ] = None,
+    begin: Annotated[float | str | None, BEGIN] = None,
+    end: Annotated[float | str | None, END] = None,
 ) -> Integration:
     """Integrate accelerations to velocity and displacement without drift, and say in which band they hold.
 
     Parameters
     ----------
-    record : Dataset, DataFrame, Path or str
-        A recording, a table with columns ``name [unit]``, or a file.
+    record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
+        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
     channels : sequence of str, optional
         Accelerations; by default every channel in m/s^2 or rad/s^2.
     motion : {"random", "transient", "periodic"}

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.analysis.options import ComparedRig
 from jounce.analysis.poles import (
     Complex,
     Kind,
@@ -23,11 +23,24 @@ from jounce.analysis.poles import (
     stabilisation,
     stable_modes,
 )
-from jounce.analysis.record import Measured, Source, band_of, band_text, check_channel, chosen, measured
+from jounce.analysis.record import (
+    BAND,
+    BEGIN,
+    END,
+    SEGMENT,
+    AnyRecord,
+    Measured,
+    band_of,
+    band_text,
+    check_channel,
+    chosen,
+    measured,
+)
 from jounce.analysis.spectrum import segment_samples
 from jounce.analysis.transfer import check_moving, sliding_model
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Count, Mark, Switch, Texts, operation
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, student_factor
@@ -136,18 +149,33 @@ class FittedModes(Plain):
 _Leaving: TypeAlias = "Callable[[int], Complex] | None"
 
 
+@operation(
+    "analyse modes",
+    named={"outputs": "output", "begin": "from", "end": "to", "given": "input", "changes": "set"},
+    offers=("numbers", "figure", "report"),
+    page="jounce.report:measured_modes_page",
+    title="Modes of {record}",
+    doing="fitting",
+    example="jounce analyse modes lap.csv --input road.z --rig kart-quarter-car --figure modes.png",
+)
 def fit_modes(
-    record: Source | Measured,
-    outputs: Sequence[str] | str | None = None,
-    given: str | None = None,
+    record: AnyRecord,
+    outputs: Annotated[
+        Sequence[str] | str | None, Texts("Channel of an output; all but the input by default. Repeat it.", "CHANNEL")
+    ] = None,
+    given: Annotated[
+        str | None, Mark("Channel of the input; without one, spectra of the outputs are fitted.", "CHANNEL")
+    ] = None,
     *,
-    decay: bool = False,
-    rig: Rig | Path | str | None = None,
-    count: int | None = None,
-    band: tuple[float | str, float | str] | None = None,
-    segment: float | str | None = None,
-    begin: float | str | None = None,
-    end: float | str | None = None,
+    decay: Annotated[bool, Switch("The record is a free decay.")] = False,
+    rig: ComparedRig = None,
+    count: Annotated[
+        int | None, Count("Number of modes; by default as many as the data ask for.", "COUNT", least=1)
+    ] = None,
+    band: Annotated[tuple[float | str, float | str] | None, BAND] = None,
+    segment: Annotated[float | str | None, SEGMENT] = None,
+    begin: Annotated[float | str | None, BEGIN] = None,
+    end: Annotated[float | str | None, END] = None,
 ) -> FittedModes:
     """Find modal frequencies and damping ratios in a record, with 95 % intervals.
 
@@ -157,8 +185,8 @@ def fit_modes(
 
     Parameters
     ----------
-    record : Dataset, DataFrame, Path or str
-        A recording, a table with columns ``name [unit]``, or a file.
+    record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
+        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
     outputs : sequence of str, optional
         Channels of the outputs; all but the input by default.
     given : str, optional

@@ -164,7 +164,7 @@ def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
     least at first; dividing by the denominator of the time before makes them one (Sanathanan and Koerner).
     """
     divisor: Array = np.ones(len(powers))
-    free: Array = np.zeros(0)
+    free: NDArray[Any] = np.zeros(0)
     for _ in range(_ITERATIONS):
         reduced = np.zeros((powers.shape[1],) * 2)
         for column, scale in zip(response.T, weight.T, strict=True):
@@ -172,9 +172,8 @@ def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
             y = -column[:, None] * x
             r, s, t = (x.conj().T @ x).real, (x.conj().T @ y).real, (y.conj().T @ y).real
             reduced += t - s.T @ np.linalg.lstsq(r, s, rcond=None)[0]
-        free = np.linalg.lstsq(reduced[:-1, :-1], -reduced[:-1, -1], rcond=None)[0]
-        free = np.concatenate([free, [1.0]])
-        divisor = np.maximum(np.abs(powers @ free), 1e-6)
+        free = np.append(np.linalg.lstsq(reduced[:-1, :-1], -reduced[:-1, -1], rcond=None)[0], 1.0)
+        divisor = np.asarray(np.maximum(np.abs(powers @ free), 1e-6), dtype=np.float64)
     return free
 
 

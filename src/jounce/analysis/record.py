@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Band, MadeBy, Mark, Number, Texts
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings import read_recording
@@ -23,8 +24,18 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-Source: TypeAlias = "xr.Dataset | pd.DataFrame | Path | str"
-"""A recording, a table, or a file in any format that `read_recording` reads."""
+AnyRecord: TypeAlias = Annotated[
+    "xr.Dataset | pd.DataFrame | tuple[xr.Dataset, list[Finding]] | Measured | Path | str",
+    MadeBy("jounce.recordings.options:chosen_recording", "jounce.recordings.options:recording_in_python"),
+]
+"""A recording, with or without its findings, a table, or a file; faces ask for a file and its columns."""
+CHANNELS = Texts("A channel; all by default. Repeat it.", "CHANNEL")
+BEGIN = Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")
+END = Number("Leave out what is after.", "TIME", "s")
+BAND = Band('Frequencies to look at, e.g. "0.5..30 Hz"; by default all that were recorded.', "LOW..HIGH", "Hz")
+SEGMENT = Number("Length of the segments that are averaged.", "TIME", "s", is_positive=True)
+WINDOW = Mark("hann or boxcar.", "WINDOW")
+CONFIDENCE = Number("Level of the intervals, between 0 and 1.", "LEVEL", "1")
 ANTI_ALIAS_SHARE = 0.4
 """Share of its own sample rate up to which a channel is used; filters against aliasing fall above it."""
 
@@ -89,7 +100,7 @@ class Measured:
         return 0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
 
 
-def measured(record: Source | Measured, begin: float | str | None = None, end: float | str | None = None) -> Measured:
+def measured(record: AnyRecord, begin: float | str | None = None, end: float | str | None = None) -> Measured:
     """Read or take a record, and cut it to a stretch of time (s).
 
     Raises
@@ -115,11 +126,12 @@ def measured(record: Source | Measured, begin: float | str | None = None, end: f
     return Measured(whole.run.isel(time=slice(inside[0], inside[-1] + 1)), whole.name, whole.rate, whole.findings)
 
 
-def _read(record: Source) -> Measured:
-    if isinstance(record, str | Path):
-        run, findings = read_recording(record)
-        return from_recording(run, str(record), tuple(findings))
-    return from_recording(as_recording(record), "recording")
+def _read(record: Any) -> Measured:
+    run, findings = read_recording(record) if isinstance(record, str | Path) else (record, ())
+    if isinstance(run, tuple):
+        run, findings = run
+    given = as_recording(run)
+    return from_recording(given, str(given.encoding.get("source", "recording")), tuple(findings))
 
 
 def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = ()) -> Measured:

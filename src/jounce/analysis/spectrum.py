@@ -4,13 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from jounce.analysis.record import Measured, Source, band_of, chosen, constant_channels, measured
+from jounce.analysis.record import (
+    BAND,
+    BEGIN,
+    CHANNELS,
+    CONFIDENCE,
+    END,
+    SEGMENT,
+    WINDOW,
+    AnyRecord,
+    Measured,
+    band_of,
+    chosen,
+    constant_channels,
+    measured,
+)
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import operation
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -129,23 +144,31 @@ class RecordSpectra(Plain):
         return [dict(zip(columns, row, strict=True)) for row in table]
 
 
+@operation(
+    "analyse spectrum",
+    named={"channels": "channel", "begin": "from", "end": "to"},
+    offers=("numbers", "figure", "report"),
+    page="jounce.report:spectra_page",
+    title="Spectra of {record}",
+    example='jounce analyse spectrum lap.csv --channel sprung.az --band "0.5..30 Hz" --figure spectrum.png',
+)
 def estimate_spectra(
-    record: Source | Measured,
-    channels: Sequence[str] | str | None = None,
+    record: AnyRecord,
+    channels: Annotated[Sequence[str] | str | None, CHANNELS] = None,
     *,
-    band: tuple[float | str, float | str] | None = None,
-    segment: float | str | None = None,
-    window: str = "hann",
-    confidence: float = 0.95,
-    begin: float | str | None = None,
-    end: float | str | None = None,
+    band: Annotated[tuple[float | str, float | str] | None, BAND] = None,
+    segment: Annotated[float | str | None, SEGMENT] = None,
+    window: Annotated[str, WINDOW] = "hann",
+    confidence: Annotated[float, CONFIDENCE] = 0.95,
+    begin: Annotated[float | str | None, BEGIN] = None,
+    end: Annotated[float | str | None, END] = None,
 ) -> RecordSpectra:
     """Estimate the power spectral density of each channel by Welch's method, with its confidence interval.
 
     Parameters
     ----------
-    record : Dataset, DataFrame, Path or str
-        A recording, a table with columns ``name [unit]``, or a file.
+    record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
+        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
     channels : sequence of str, optional
         Channels; all by default.
     band : (float, float), optional

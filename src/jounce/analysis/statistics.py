@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from jounce.analysis.record import Measured, Source, chosen, measured
+from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, chosen, measured
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import operation
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, estimate
@@ -106,19 +107,27 @@ class RecordStatistics(Plain):
         return [_row(channel) for channel in self.channels]
 
 
+@operation(
+    "analyse statistics",
+    named={"channels": "channel", "begin": "from", "end": "to"},
+    offers=("numbers", "figure", "report"),
+    page="jounce.report:statistics_page",
+    title="Statistics of {record}",
+    example="jounce analyse statistics lap.csv --figure channels.png",
+)
 def describe_channels(
-    record: Source | Measured,
-    channels: Sequence[str] | str | None = None,
+    record: AnyRecord,
+    channels: Annotated[Sequence[str] | str | None, CHANNELS] = None,
     *,
-    begin: float | str | None = None,
-    end: float | str | None = None,
+    begin: Annotated[float | str | None, BEGIN] = None,
+    end: Annotated[float | str | None, END] = None,
 ) -> RecordStatistics:
     """Give the statistics of each channel of a record.
 
     Parameters
     ----------
-    record : Dataset, DataFrame, Path or str
-        A recording, a table with columns ``name [unit]``, or a file.
+    record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
+        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
     channels : sequence of str, optional
         Channels; all by default.
     begin, end : float or str, optional

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.analysis.options import ComparedRig
 from jounce.analysis.record import (
+    BAND,
+    BEGIN,
+    CONFIDENCE,
+    END,
+    SEGMENT,
+    WINDOW,
+    AnyRecord,
     Measured,
-    Source,
     band_of,
     check_channel,
     constant_channels,
@@ -21,6 +27,7 @@ from jounce.analysis.record import (
 from jounce.analysis.spectrum import check_confidence, segment_samples
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Mark, operation
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
@@ -153,26 +160,36 @@ class TransferEstimate(Plain):
         return plain_table(plain)
 
 
+@operation(
+    "analyse transfer",
+    named={"begin": "from", "end": "to", "given": "input", "changes": "set"},
+    offers=("numbers", "figure", "report"),
+    page="jounce.report:transfer_page",
+    title="Transfer function of {record}",
+    example="jounce analyse transfer lap.csv --input unsprung.az --output sprung.az --figure transfer.png",
+)
 def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
-    record: Source | Measured,
-    output: str,
-    given: str,
+    record: AnyRecord,
+    output: Annotated[str, Mark("Channel of the output.", "CHANNEL")],
+    given: Annotated[str, Mark("Channel of the input.", "CHANNEL")],
     *,
-    estimator: Estimator = "H1",
-    rig: Rig | Path | str | None = None,
-    band: tuple[float | str, float | str] | None = None,
-    segment: float | str | None = None,
-    window: str = "hann",
-    confidence: float = 0.95,
-    begin: float | str | None = None,
-    end: float | str | None = None,
+    estimator: Annotated[
+        Estimator, Mark("H1 (noise in the output), H2 (in the input) or Hv (in both).", "ESTIMATOR")
+    ] = "H1",
+    rig: ComparedRig = None,
+    band: Annotated[tuple[float | str, float | str] | None, BAND] = None,
+    segment: Annotated[float | str | None, SEGMENT] = None,
+    window: Annotated[str, WINDOW] = "hann",
+    confidence: Annotated[float, CONFIDENCE] = 0.95,
+    begin: Annotated[float | str | None, BEGIN] = None,
+    end: Annotated[float | str | None, END] = None,
 ) -> TransferEstimate:
     """Estimate transfer function and coherence between two channels of a record, with their random errors.
 
     Parameters
     ----------
-    record : Dataset, DataFrame, Path or str
-        A recording, a table with columns ``name [unit]``, or a file.
+    record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
+        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
     output, given : str
         Channels of output and input.
     estimator : {"H1", "H2", "Hv"}

@@ -10,7 +10,18 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
-from jounce.plots import analysis, audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals, variants
+from jounce.plots import (
+    analysis,
+    audi_a6,
+    campaign,
+    design,
+    fits,
+    inspection,
+    kinematic_design,
+    kinematics,
+    signals,
+    variants,
+)
 from jounce.plots.figures import write_figure
 from jounce.plots.mechanisms import mechanism
 
@@ -24,7 +35,7 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording and what is analysed of it, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
+        A 3-D rig, a recording, its analysis, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
         speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a
         campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets,
         their fronts and spreads, or fitted to measured poses.

@@ -178,6 +178,7 @@ def read_recording(
     if sensors:
         run, more = conditioned(run, sensors, where=str(file))
         findings += more
+    run.encoding["source"] = str(file)
     return run, findings
 
 

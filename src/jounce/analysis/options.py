@@ -1,0 +1,35 @@
+"""A rig that measured numbers are compared with, of options: a file or a shipped name, and changes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, TypeAlias
+
+from jounce.core.operation import File, MadeBy, Settings
+from jounce.parts.options import chosen_rig, rig_in_python
+from jounce.parts.rig import Rig
+
+ComparedRig: TypeAlias = Annotated[
+    Rig | Path | str | None,
+    MadeBy("jounce.analysis.options:compared_rig", "jounce.analysis.options:compared_rig_in_python"),
+]
+"""A rig whose linear model stands beside what was measured, if one is named."""
+
+
+def compared_rig(
+    rig: Annotated[
+        str | None, File("Rig whose linear model is compared, without dry friction.", "RIG", shipped=("parts",))
+    ] = None,
+    changes: Annotated[
+        Mapping[str, Any] | None,
+        Settings("Change a parameter of that rig.", "PATH=VALUE", 'strut.spring.rate="25 N/mm"'),
+    ] = None,
+) -> Rig | None:
+    """Load a rig and change its values, if one is named."""
+    return None if rig is None else chosen_rig(rig, changes)
+
+
+def compared_rig_in_python(rig: str | None = None, changes: Mapping[str, Any] | None = None) -> str:
+    """Write it as Python."""
+    return "None" if rig is None else rig_in_python(rig, changes)
