@@ -55,7 +55,7 @@ _FEWEST_GROUPS = 6
 _FEWEST_LINES = 24
 _LARGEST_ERROR = 0.1  # of a frequency, above which a pole tells nothing
 _NEAR = 1.5  # factor of frequency between a measured mode and that of a model
-_CYCLES = 3.0  # of the lowest frequency within a segment
+_CYCLES = 2.0  # of the lowest frequency within a segment: below, the window and the mean leave nothing
 
 
 @dataclass(frozen=True)
@@ -200,10 +200,10 @@ def fit_modes(
         Number of modes (1); by default as many as the data ask for.
     band : (float, float), optional
         Lowest and highest frequency, Hz or text with a unit: as wide as a mode on both of its sides, at least. By
-        default from three cycles in a segment to 40 Hz.
+        default from two cycles in a segment to 40 Hz.
     segment : float or str, optional
         Length of the segments that are averaged, s or text with a unit; by default a twenty-fourth of the record, from
-        2 to 8 s.
+        4 to 8 s.
     begin, end : float or str, optional
         Stretch of time that counts, s or text with a unit.
 
@@ -280,7 +280,7 @@ def fit_modes(
 
 
 _HIGHEST = 40.0  # Hz: wheels hop below 20, those of karts on stiff tyres below 30
-_SHORTEST = 2.0  # s
+_SHORTEST = 4.0  # s: two cycles of 0.5 Hz, half the frequency of the softest body
 
 
 def _top(used: Measured, names: Sequence[str]) -> float:

@@ -15,6 +15,7 @@ from typing import Annotated, Any
 import typer
 
 from jounce.cli import (
+    analysis,
     bench,
     campaign,
     design,
@@ -67,6 +68,7 @@ def _panels() -> dict[str, dict[str, Any]]:
     return {
         "From measurements to decisions": {
             "bench": bench.app,
+            "analyse": analysis.app,
             "fit": fit.app,
             "campaign": campaign.app,
             "inspect": inspection.app,

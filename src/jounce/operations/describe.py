@@ -21,6 +21,11 @@ from jounce.core.units import Unit
 from jounce.operations.index import Operation, Parameter, resolve
 
 MODULES = (
+    "jounce.analysis.statistics",
+    "jounce.analysis.spectrum",
+    "jounce.analysis.transfer",
+    "jounce.analysis.modes",
+    "jounce.analysis.integrate",
     "jounce.bench.drive",
     "jounce.bench.similitude",
     "jounce.bench.springs",

@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.types import Array
-from jounce.plots.display import number
+from jounce.plots.display import number, ratio_unit
 from jounce.plots.figures import (
     AFTER,
     BEFORE,
@@ -188,7 +188,7 @@ def transfer_estimate(found: TransferEstimate) -> Figure:
     >>> run = jn.recording(np.arange(4000) / 100.0, signals)
     >>> found = jn.estimate_transfer(run, "body.z", "road.z")
     >>> [axes.get_ylabel() for axes in transfer_estimate(found).axes]
-    ['gain [mm/mm]', 'phase [°]', 'coherence [–]']
+    ['gain [–]', 'phase [°]', 'coherence [–]']
     """
     from matplotlib.ticker import MultipleLocator
 
@@ -225,7 +225,7 @@ def transfer_estimate(found: TransferEstimate) -> Figure:
     for axes in (phase, coherence):
         log_axes(axes, "x")
     log_axes(gain)
-    per = f"({output.name})/{given.name}" if "/" in output.name else f"{output.name or 1}/{given.name or 1}"
+    per = ratio_unit(output.name, given.name)
     gain.set(ylabel=f"gain [{per}]", ylim=(bottom, top), title=f"{found.output} over {found.given}")
     phase.set(ylabel="phase [°]", ylim=(-190.0, 190.0))
     phase.yaxis.set_major_locator(MultipleLocator(90.0))

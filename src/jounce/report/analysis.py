@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots import figure_of
-from jounce.plots.display import digits_for, number, percent, quantity
+from jounce.plots.display import digits_for, number, percent, quantity, ratio_unit
 from jounce.report.page import (
     Block,
     Column,
@@ -103,7 +103,9 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
     facts = Facts(
         (
             Fact(
-                "resolution", quantity(found.resolution, "Hz", 3), f"{found.window} segments of {found.segment:.3g} s"
+                "resolution",
+                quantity(found.resolution, "Hz", 3),
+                f"{found.window.capitalize()} segments of {found.segment:.3g} s",
             ),
             Fact(
                 "degrees of freedom", number(found.degrees_of_freedom, 3), f"{found.averages:.3g} independent segments"
@@ -155,7 +157,11 @@ def transfer_page(found: TransferEstimate, *, title: str) -> Page:
     good = found.coherence >= 0.8
     facts = [
         Fact("estimator", found.estimator, _ESTIMATORS[found.estimator]),
-        Fact("resolution", quantity(found.resolution, "Hz", 3), f"{found.window} segments of {found.segment:.3g} s"),
+        Fact(
+            "resolution",
+            quantity(found.resolution, "Hz", 3),
+            f"{found.window.capitalize()} segments of {found.segment:.3g} s",
+        ),
         Fact("independent segments", number(found.averages, 3), f"chance stays below {found.significant:.2g}"),
         Fact("coherence of 0.8 or more", percent(float(good.mean())), "of the band"),
     ]
@@ -197,7 +203,7 @@ def _octaves(found: TransferEstimate) -> Table:
         )
         for i in lines
     )
-    per = f"({output.name})/{given.name}" if "/" in output.name else f"{output.name or 1}/{given.name or 1}"
+    per = ratio_unit(output.name, given.name)
     model = () if found.model is None else ("gain of the model",)
     header = ("frequency [Hz]", f"gain [{per}]", "phase [°]", "coherence", *model)
     note = f"At third octaves; ± half of the {100.0 * found.confidence:g} % interval."
@@ -225,7 +231,7 @@ def measured_modes_page(found: FittedModes, *, title: str) -> Page:
     """
     has_model = any(mode.model_frequency is not None for mode in found.modes)
     rows = tuple(_mode(mode, has_model=has_model) for mode in found.modes)
-    model = ("of the model [Hz]", "apart", "of the model", "apart") if has_model else ()
+    model = ("model [Hz]", "apart", "model", "apart") if has_model else ()
     header = ("frequency [Hz]", *model[:2], "damping ratio", *model[2:], "orders that agree")
     note = "± half of the 95 % interval. Undamped natural frequencies."
     if has_model:
