@@ -35,10 +35,10 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, its analysis, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
-        speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a
-        campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets,
-        their fronts and spreads, or fitted to measured poses.
+        A 3-D rig, a recording, its analysis, many runs, a ride or several controllers side by side, an Audi A6 study, a
+        study over speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a
+        campaign, a campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from
+        targets, their fronts and spreads, or fitted to measured poses.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 

@@ -58,6 +58,18 @@ def words_of(name: str) -> str:
     return words.removeprefix("vertical ")
 
 
+def ratio_unit(above: str, below: str) -> str:
+    """Write the unit of a ratio of two shown units.
+
+    >>> ratio_unit("m/s²", "mm"), ratio_unit("m/s²", "m/s²"), ratio_unit("N", "m/s²")
+    ('(m/s²)/mm', '–', 'N/(m/s²)')
+    """
+    if above == below:
+        return "–"
+    first, second = (f"({unit})" if "/" in unit else unit or "1" for unit in (above, below))
+    return f"{first}/{second}"
+
+
 def given(value: float | None, si: str, words: str = "") -> str:
     """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
 
