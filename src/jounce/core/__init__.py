@@ -1,1 +1,1 @@
-"""What everything stands on: units, errors, findings, descriptions, serialisation."""
+"""Foundations: units, errors, findings, descriptions, serialisation."""

@@ -1,4 +1,4 @@
-"""Arguments of public functions: a call that fails names the argument that is of another kind than asked for."""
+"""Arguments of public functions: a failing call names the argument of the wrong kind."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ _KINDS = {
     "ndarray": ("an array of numbers", ""),
     "Numbers": ("an array of numbers", ""),
 }
-"""What readers call a class, and how they get one; all other classes go by their names."""
+"""Common name of a class, and how to get an instance; other classes keep their names."""
 
 
 def guarded(function: Function, name: str) -> Function:
     """Return a public function whose failures name the argument that does not fit its annotation.
 
-    A call that succeeds, an error of ours and an error with fitting arguments are left as they are, so nothing that
-    works is refused; only options that are neither True nor False are refused before. The function counts as that of
+    A call that succeeds, an error of jounce and an error with fitting arguments are not changed, so nothing that
+    works is refused; only options that are neither True nor False are refused before. The function appears as one of
     the package ``jounce``, where others find it.
 
     >>> def halve(length: float) -> float:
@@ -61,7 +61,7 @@ def guarded(function: Function, name: str) -> Function:
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
         if not all(fits(options[key], bool) for key in flags & options.keys()):
-            error = misfit(function, arguments, options)  # "no" would count as yes, and files be overwritten
+            error = misfit(function, arguments, options)  # "no" would be true, and overwrite files
             if error is not None:
                 raise error
         try:
@@ -85,7 +85,7 @@ def misfit(
     signature = inspect.signature(function)
     try:
         given = signature.bind(*arguments, **options).arguments
-    except TypeError:  # Python's own message says which argument is missing or unknown
+    except TypeError:  # Python's message names the missing or unknown argument
         return None
     hints = _hints(function)
     for name, value in given.items():
@@ -105,7 +105,7 @@ def misfit(
 
 
 def _hints(function: Callable[..., Any]) -> dict[str, Any]:
-    """Annotations of a function or class as types; those whose names cannot be looked up are left out."""
+    """Annotations of a function or class as types; unresolvable ones are left out."""
     space = _ModuleNames(vars(sys.modules[function.__module__]))
     hints: dict[str, Any] = {}
     for name, annotation in inspect.get_annotations(function).items():
@@ -128,7 +128,7 @@ class _ModuleNames(dict[str, Any]):
 
 
 def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]]:
-    """Where a value, or one inside of it, does not fit: the place, what is there, and what should be."""
+    """Mismatches of a value, or of values in it: place, value, and expected type."""
     if fits(value, hint):
         if is_dataclass(value) and not isinstance(value, type):
             hints = _hints(type(value))
@@ -152,7 +152,7 @@ def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]
 
 
 def _options(hint: Any) -> tuple[Any, ...]:
-    """Members of a union, or the hint itself; what NumPy calls like an array is one of them."""
+    """Members of a union, or the hint itself; NumPy's array-like counts as one member."""
     parts = _members(hint)
     if len(parts) == 1:
         return parts
@@ -165,7 +165,7 @@ def _options(hint: Any) -> tuple[Any, ...]:
 
 
 def _members(hint: Any) -> tuple[Any, ...]:
-    """Members of a union and of those in it; NumPy 2.5 names its unions by ``type`` statements (PEP 695)."""
+    """Members of a union and of nested ones; NumPy 2.5 names its unions by ``type`` statements (PEP 695)."""
     origin = get_origin(hint) or hint
     if hasattr(origin, "__value__"):
         return _members(origin.__value__)
@@ -188,14 +188,14 @@ def _is_series(origin: Any) -> bool:
 
 
 def _is_for(value: Any, hint: Any) -> bool:
-    """Whether a value is of a class that a hint asks for by name: a rig, a road, a recording."""
+    """Whether a value is of a class that a hint names: a rig, a road, a recording."""
     return any(
         isinstance(option, type) and bool(_words(option)[0][1]) and fits(value, option) for option in _options(hint)
     )
 
 
 def fits(value: Any, hint: Any) -> bool:
-    """Whether a value fits an annotation, as far as that can be told; what cannot be told fits."""
+    """Whether a value fits an annotation; undecidable cases fit."""
     options = _options(hint)
     if len(options) > 1:
         return any(fits(value, option) for option in options)
@@ -222,7 +222,7 @@ def fits(value: Any, hint: Any) -> bool:
         )
     if _is_series(kind) and parts:
         return _is_series_of(value, kind, parts)
-    with suppress(TypeError):  # protocols that cannot be asked
+    with suppress(TypeError):  # protocols without runtime checks
         return isinstance(value, os.PathLike if issubclass(kind, os.PathLike) else kind)
     return True
 
@@ -230,7 +230,7 @@ def fits(value: Any, hint: Any) -> bool:
 def _is_series_of(value: Any, kind: type, parts: tuple[Any, ...]) -> bool:
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
         return False
-    if isinstance(value, Iterator):  # it can be walked once only
+    if isinstance(value, Iterator):  # an iterator can be consumed only once
         return True
     if kind is tuple and not isinstance(value, (tuple, list)):
         return False
@@ -258,13 +258,13 @@ def _is_number(value: Any, kind: type) -> bool:
 
 
 def _dimensions(value: Any, usual: int = 1) -> int:
-    """Of an array; the usual number for what is none."""
+    """Dimensions of an array; ``usual`` for anything else."""
     dimensions = getattr(value, "ndim", usual)
     return dimensions if isinstance(dimensions, int) else usual
 
 
 def _words(hint: Any) -> list[tuple[str, str]]:
-    """What readers call that which is asked for, and how to get it; one pair for each member of a union."""
+    """Common name of each expected type, and how to get it; one pair for each member of a union."""
     options = _options(hint)
     if len(options) > 1:
         return [pair for option in options for pair in _words(option)]

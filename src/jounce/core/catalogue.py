@@ -1,4 +1,4 @@
-"""What findings say, in English and German: one ``findings.toml`` a package, beside the code that finds them.
+"""Texts of findings, in English and German: one ``findings.toml`` for each package, beside its code.
 
 A row has a severity and a sentence of each language; ``{name}`` is a number or a text that a finding carries. Numbers
 are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{low:.3g ~mm}`` as ``12.3``. Words that are
@@ -34,7 +34,7 @@ class Row:
     Attributes
     ----------
     severity : {"note", "warning", "problem"}
-        How grave it is, unless the place that finds it says otherwise.
+        Severity, unless the code that reports it sets another.
     en, de : str
         Sentences with fields in braces.
     """
@@ -54,7 +54,7 @@ class Catalogue:
 
 @cache
 def catalogue_of(package: str) -> Catalogue:
-    """Read what a package can find; nothing for one without a file."""
+    """Read the findings of a package; empty without a file."""
     file = _PACKAGES.joinpath(*package.split("."), "findings.toml")
     tables = tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     words = tables.pop("words", {})
@@ -88,7 +88,7 @@ def sentence(code: str, numbers: Mapping[str, Any], language: Language = "en", *
 
 
 class _Filled(string.Formatter):
-    """Writes numbers in the unit that stands behind their format, and words in the language of the sentence."""
+    """Writes numbers in the unit after their format, and words in the language of the sentence."""
 
     def __init__(self, package: str, language: Language, decimal: str) -> None:
         self.words = catalogue_of(package).words if language == "de" else {}

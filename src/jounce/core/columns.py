@@ -22,7 +22,7 @@ from jounce.core.units import LARGEST, conversion_factor, is_unit
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
-_LONGEST_CELL = 1000
+_LONGEST_CELL = 1000  # characters: longer cells are no names or numbers
 _BLANK = "no cell of the column is filled"
 _MISSING = frozenset(
     (
@@ -49,18 +49,18 @@ _MISSING = frozenset(
         "none",
     )
 )
-"""What loggers and spreadsheets write, in any case, where a channel has no sample."""
+"""Texts of loggers and spreadsheets for a missing sample, in any case."""
 NO_NUMBER = "No cell of the column is a number."
 _SINGLE_LETTERS = set("msNgGVAWJK%°")
-"""Units of one letter that count behind a name as in ``Force (N)``: ``(L)`` and ``(R)`` are sides."""
+"""One-letter units that are recognised after a name as in ``Force (N)``: ``(L)`` and ``(R)`` are sides."""
 
 
 @dataclass(frozen=True, eq=False)
 class Column:
     """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none).
 
-    A column whose cells are not all finite numbers has none, and the ``fault`` that says so when it is asked for.
-    ``written`` is the header's cell where it is not ``label``: ``Force (N)``. ``part`` are the rows (from 0) with a
+    A column with cells that are not finite numbers has no values, and a ``fault`` that is raised when it is used.
+    ``written`` is the header's cell if it differs from ``label``: ``Force (N)``. ``part`` are the rows (from 0) with a
     number, and those numbers, where the others hold nothing: a channel of another rate, or with gaps.
     """
 
@@ -88,7 +88,7 @@ class Column:
         return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == NO_NUMBER)
 
     def readable(self) -> Column:
-        """Return the column itself; raise its fault where it has one."""
+        """Return the column itself; raise its fault if it has one."""
         if self.fault is not None:
             raise self.fault
         return self
@@ -105,7 +105,7 @@ class Column:
         return self.scaled(conversion_factor(self.unit, si, where=self.where))
 
     def scaled(self, factor: float) -> Array:
-        """Return the values times a factor; refuse sizes that nothing has: their squares are no numbers any more."""
+        """Return the values times a factor; refuse impossible sizes, whose squares overflow."""
         with np.errstate(over="ignore"):
             values = np.asarray(self.readable().values * factor, dtype=float)
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
@@ -121,7 +121,7 @@ class ColumnTable:
 
     ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row
     in a text file, from 1, ``place`` what such a line is called; ``remarks`` say what was understood that need not
-    have been meant. A column that cannot be read harms only who asks for it.
+    have been meant. A column that cannot be read raises only when it is used.
     """
 
     columns: tuple[Column, ...]
@@ -174,7 +174,7 @@ class ColumnTable:
         return tuple(column.name for column in self.columns)
 
     def name_row(self, row: int) -> str:
-        """Name a row (from 0) for error messages: by its line (or what ``place`` calls it) where there is one."""
+        """Name a row (from 0) for error messages: by its line (or ``place``) if known."""
         return f"{self.place} {self.lines[row]}" if self.lines else f"row {row + 1}"
 
 
@@ -259,7 +259,7 @@ def read_comments_csv(path: Path | str) -> tuple[str, ...]:
 
 
 def parse_header(header: str) -> list[tuple[str, str]]:
-    """Split ``"displacement [mm], force [N]"`` into names and units (empty where there is none).
+    """Split ``"displacement [mm], force [N]"`` into names and units (empty without one).
 
     Examples
     --------
@@ -269,11 +269,11 @@ def parse_header(header: str) -> list[tuple[str, str]]:
     return [name_and_unit(cell) for cell in header.split(_separator(header))]
 
 
-_MEMORY_A_BYTE = 25  # bytes that a text file takes while it is read, for each of its own
+_MEMORY_A_BYTE = 25  # bytes of memory for each byte of a text file while it is read
 
 
 def _check_memory(size: int, file: Path) -> None:
-    """Refuse a text for which there is no memory, where the system tells: it would end the process, or the machine."""
+    """Refuse a text that does not fit into memory, if known: it would end the process, or the machine."""
     try:
         told = Path("/proc/meminfo").read_text(encoding="ascii")
         free = 1024 * int(told.partition("MemAvailable:")[2].split()[0])
@@ -290,7 +290,7 @@ def _check_memory(size: int, file: Path) -> None:
 
 
 _DOS_END, _SECTOR = b"\x1a", 512
-"""What DOS puts behind the last line, and fills the file up with to so many bytes."""
+"""End mark of DOS after the last line, repeated up to a multiple of this many bytes."""
 
 
 def text_of(file: Path) -> str:
@@ -313,13 +313,13 @@ def text_of(file: Path) -> str:
 
 
 def _is_cut_off(rows: Sequence[str], separator: str) -> bool:
-    """Whether the last number of the last row is shorter than that of each other row, of which there are some."""
+    """Whether the last number of the last row is shorter than in all other rows, and there are others."""
     *lengths, last = (len(row) - row.rfind(separator) for row in rows)
     return len(lengths) > 9 and last < min(lengths)
 
 
 def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
-    """Comments before the header, and the header's index (``len(lines)`` when there is none)."""
+    """Comments before the header, and the header's index (``len(lines)`` without one)."""
     comments = []
     for index, line in enumerate(lines):
         if line.lstrip().startswith("#"):
@@ -330,7 +330,7 @@ def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
 
 
 def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
-    """The last comment, by its line, where it names the columns of the numbers that follow, as NumPy writes them."""
+    """The last comment and its line, if it names the columns of the following numbers, as NumPy writes it."""
     places = [i for i in range(first) if lines[i].lstrip().startswith("#")]
     if not places or not _BEGINS_WITH_NUMBER.match(lines[first].lstrip()):
         return None
@@ -342,7 +342,7 @@ def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
 
 
 _LONGEST_PREAMBLE = 200  # lines
-_MOST_COLUMNS = 10_000
+_MOST_COLUMNS = 10_000  # each header is searched for a unit
 
 
 def _check_width(lines: list[str], file: Path, first: int) -> None:
@@ -356,7 +356,7 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
 
 
 def _separator_of_numbers(line: str, count: int) -> str:
-    """Separator of a line of so many numbers; empty where it is none."""
+    """Separator of a line of ``count`` numbers; empty for other lines."""
     if not count:
         return ""
     rows = ((mark, _row(line.strip(), mark)) for mark in ("\t", ";", ",", " "))
@@ -366,7 +366,7 @@ def _separator_of_numbers(line: str, count: int) -> str:
 def _header_line(lines: list[str], first: int) -> int:
     """Index of the header: names with a unit, or right above the first row of nothing but numbers; or the first line.
 
-    A logger's settings are no header, even where they come in as many cells as there are columns (``Rate;1000``).
+    Settings of a logger are no header, even with as many cells as columns (``Rate;1000``).
     """
     filled = [i for i in range(first, min(first + _LONGEST_PREAMBLE, len(lines))) if lines[i].strip(" \r\ufeff")]
     likely = None
@@ -382,7 +382,8 @@ def _header_line(lines: list[str], first: int) -> int:
         if any(unit and is_unit(unit) for _, unit in map(name_and_unit, cells)):
             return index
         row = rows[-1] if _are_units(rows[0]) else rows[0]
-        if len(cells) > 1 and any(map(_has_number, row)) and all(_has_number(one) or _is_missing(one) for one in row):
+        are_numbers = any(map(_has_number, row)) and all(_has_number(cell) or _is_missing(cell) for cell in row)
+        if len(cells) > 1 and are_numbers:
             return index
         if likely is None and any(map(_has_number, row)):
             likely = index
@@ -390,7 +391,7 @@ def _header_line(lines: list[str], first: int) -> int:
 
 
 def _row(line: str, separator: str, width: int | None = None) -> list[str]:
-    """Cells of a line without an empty one at its end; nothing where they are not ``width``."""
+    """Cells of a line without an empty one at its end; none if there are not ``width``."""
     try:
         cells = _header_cells(line, separator)
     except csv.Error:
@@ -434,7 +435,7 @@ def _are_units(cells: list[str]) -> bool:
     filled = [bare for cell in cells if (bare := cell.strip("[]() ")) not in _NO_UNIT]
     known = sum(map(_is_plain_unit, filled))
     return 2 * known > len(filled) and not any(
-        _BEGINS_WITH_NUMBER.match(one) for one in filled if not _is_plain_unit(one)
+        _BEGINS_WITH_NUMBER.match(cell) for cell in filled if not _is_plain_unit(cell)
     )
 
 
@@ -455,7 +456,7 @@ def _separator(header: str) -> str:
 
 
 def _separator_of(header: str, row: str) -> str:
-    """Separator of a table: blanks where the header has no other, and several numbers stand in the row."""
+    """Separator of a table: blanks if the header has no other and the row has several numbers."""
     separator = _separator(header)
     outside = re.sub(r"\[[^\[\]]*\]|\([^()]*\)|\"[^\"]*\"", "", header)
     if separator != "," or "," in outside or '"' in outside:
@@ -478,7 +479,7 @@ def _header_cells(line: str, separator: str) -> list[str]:
 
 
 def name_and_unit(cell: str) -> tuple[str, str]:
-    """Split one header into its name and its unit (empty where there is none).
+    """Split one header into its name and its unit (empty without one).
 
     >>> [name_and_unit(text) for text in ("force [N]", "Force (kN)", "Weg / mm", "Weg in mm", "Force (L)", "x_F(:,1)")]
     [('force', 'N'), ('Force', 'kN'), ('Weg', 'mm'), ('Weg', 'mm'), ('Force (L)', ''), ('x_F(:,1)', '')]
@@ -514,7 +515,7 @@ _USUAL = (
     "1/m,N s/m,N s/mm,kN s/m,Ns/m,Ns/mm,Nm,kNm,Nm/rad,Nm/deg,N m/rad,N m/deg,N m s/rad"
 )
 _UNITS_OF_R = {re.sub("[^A-Za-z0-9]", ".", unit): unit for unit in _USUAL.split(",")}
-"""Units by what R makes of them; not those that share it with another (``N/mm`` and ``N mm``)."""
+"""Units by their spelling in R, if unique (not ``N/mm`` and ``N mm``)."""
 
 
 def _is_loose_unit(text: str) -> bool:
@@ -545,7 +546,7 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
 
 
 def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:
-    """Units of the columns where the first row holds them (none has one in the header); otherwise nothing."""
+    """Units of the columns if the first row has them (and the header none); otherwise empty."""
     if not rows or any(name_and_unit(cell)[1] for cell in header):
         return []
     cells = [cell.removeprefix("[").removesuffix("]").removeprefix("(").removesuffix(")").strip() for cell in
@@ -564,7 +565,7 @@ def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Seque
 
 
 def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None:
-    """Rows of finite numbers without quotes and without faults; None for all others, which are read cell by cell."""
+    """Rows of finite numbers without quotes or faults; None for others, which are read cell by cell."""
     try:
         values = np.loadtxt(lines, delimiter=None if separator == " " else separator, comments=None, ndmin=2)
     except ValueError:
@@ -612,7 +613,7 @@ def _columns(
         some = [_cells(line, separator) for line in rows[:_FEW]]
         marked = {i for i in range(len(heads)) if any("," in row[i] for row in some)}
         fault = _either(repr(cells[0]), str(file))
-        found = [fault if i in marked else one for i, one in enumerate(found)]
+        found = [fault if i in marked else column for i, column in enumerate(found)]
         comma = False
     columns = []
     for position, (head, numbers) in enumerate(zip(heads, found, strict=True), 1):
@@ -648,7 +649,7 @@ _DAY = 86400.0
 
 
 def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
-    """Seconds since the first of clock times, and what was understood; None for cells that are none.
+    """Seconds since the first of clock times, and the interpretation; None for other cells.
 
     Times of day (``23:59:59.75``) go on past midnight, durations may have days (``0 days 00:00:01``); instants of ISO
     8601 are compared in UTC where they have a zone.
@@ -688,13 +689,13 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     return elapsed, f"s since {cells[0]}"
 
 
-_FEWEST_THOUSANDS = 10
-_FEW = 1000  # rows that are looked at for the kind of their marks
+_FEWEST_THOUSANDS = 10  # such numbers, so that three decimals are no coincidence
+_FEW = 1000  # rows examined for their separators of digits
 _GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 
 
 def _may_have_thousands(numbers: Array) -> bool:
-    """Whether numbers look as 999, 1.000, 1.001 do: whole ones up to 999, and others from 1 with three decimals."""
+    """Whether numbers look like 999, 1.000, 1.001: integers up to 999, and others from 1 with three decimals."""
     size = np.abs(numbers)
     if not size.size or float(size.max()) > 999.9995 or float(size.max()) < 100.0:
         return False
@@ -706,7 +707,7 @@ def _may_have_thousands(numbers: Array) -> bool:
 
 
 def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> RecordingError | None:
-    """The error for numbers whose only marks separate three digits each, beside whole numbers below a thousand."""
+    """Error for numbers whose marks all separate three digits, next to integers below a thousand."""
     marked = [(cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell]
     if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
         return None
@@ -727,7 +728,7 @@ def _either(cell: str, where: str, more: str = "") -> RecordingError:
 def _table(
     rows: list[list[str]], lines: Sequence[int], heads: list[str], header: list[str], file: Path, separator: str
 ) -> list[list[str]]:
-    """Cells by column; empty cells behind the last column are accepted."""
+    """Cells by column; empty cells after the last column are accepted."""
     width = len(heads)
     for row, line in zip(rows, lines, strict=True):
         if len(row) != width and not (len(row) == width + 1 and row[-1] == ""):
@@ -736,7 +737,7 @@ def _table(
 
 
 def _decimal_mark(cells: list[str]) -> str:
-    """Mark of the decimals in a column of numbers; empty where it has none, or text."""
+    """Decimal mark of a column of numbers; empty without one, or for text."""
     commas = sum(_DECIMAL_COMMA.fullmatch(cell) is not None for cell in cells)
     points = sum("." in cell and _is_number(cell) for cell in cells)
     if commas and points:
@@ -764,7 +765,7 @@ def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str],
 def _numbers(
     cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool
 ) -> tuple[Array | RecordingError, tuple[NDArray[np.intp], Array] | None]:
-    """Finite numbers of a column, or the first thing wrong with it, with its line, and the rows that hold numbers."""
+    """Finite numbers of a column, or its first fault with the line, and the rows with numbers."""
     texts = [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells] if comma else cells
     try:
         values = np.array(texts, dtype=float)

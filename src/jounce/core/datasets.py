@@ -1,4 +1,4 @@
-"""Datasets put together without xarray's copies and alignment, which take longer than a short run.
+"""Build datasets without xarray's copies and alignment, which take longer than a short run.
 
 What is made is `identical` to what the public constructor makes. It relies on xarray's inside, so that is tried out
 once a process; where it is another one, the public constructor is used.
@@ -24,9 +24,9 @@ def dataset(
     attributes: Mapping[str, Any] | None = None,
     beside: Mapping[str, xr.Variable] | None = None,
 ) -> xr.Dataset:
-    """Put variables on axes that a Dataset without variables has, and coordinates ``beside`` them that are no axes.
+    """Put variables on the axes of a Dataset without variables, with other coordinates in ``beside``.
 
-    The variables are taken as they are, without a copy; nobody else may hold them. The axes may serve many Datasets.
+    The variables are not copied; nothing else may hold them. The axes may serve many Datasets.
 
     >>> import xarray as xr
     >>> axes = xr.Dataset(coords={"time": [0.0, 1.0]})

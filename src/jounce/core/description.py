@@ -22,7 +22,7 @@ D = TypeVar("D", bound="Description")
 Whole = Annotated[int, Strict()]
 """A whole number of a description; neither ``true`` nor ``"1"`` is one."""
 Seed = Annotated[Whole, Field(ge=0, lt=2**63)]
-"""What random numbers are drawn with."""
+"""Seed of random numbers."""
 
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=(), defer_build=True
-    )  # validators of a kind are made when the first of it is made: there are hundreds, a process uses few
+    )  # validators of a kind are built on first use: there are hundreds, a process uses few
 
     kinds: ClassVar[Kinds | None] = None  # set by the base of a family of descriptions
 
@@ -97,7 +97,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return type(self)(**{**own, **(update or {})})
 
     def __getstate__(self) -> dict[Any, Any]:
-        """State whose pickled bytes are the same in every process: nothing derived, and no set of texts."""
+        """State with the same pickled bytes in every process: nothing derived, and no set of texts."""
         fields = type(self).model_fields
         state = super().__getstate__()
         own = {name: value for name, value in state["__dict__"].items() if name in fields}
@@ -117,7 +117,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
             raise description_error(error, cls, where=where, text=text, path=path) from None
 
 
-_LARGEST = 5_000_000  # bytes
+_LARGEST = 5_000_000  # bytes: descriptions have some kilobytes, with long tables some megabytes
 
 
 def description_text(path: Path | str) -> str:
@@ -153,7 +153,7 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
 
 
 def toml_table(text: str) -> dict[str, Any]:
-    """Parse TOML; whatever is wrong with it, nesting and numbers that nothing can hold too, is a TOMLDecodeError."""
+    """Parse TOML; all errors, also excessive nesting and numbers, are a TOMLDecodeError."""
     # Before it is parsed, which takes seconds for tens of thousands, and the square of a key's length.
     if text.count("\n[") > _MOST_TABLES or text.count("=") > _MOST_KEYS:
         raise tomllib.TOMLDecodeError(f"more than {_MOST_TABLES} tables or {_MOST_KEYS} keys")
@@ -172,13 +172,13 @@ def toml_table(text: str) -> dict[str, Any]:
     return table
 
 
-_DEEPEST = 30
+_DEEPEST = 30  # tables within each other; descriptions have at most ten
 _MOST_TABLES, _MOST_KEYS = 10_000, 100_000
 _LONG_KEY = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}""")
 
 
 def is_nested_deeply(value: object) -> bool:
-    """Whether tables and lists lie in each other more often than in any description: walking them may not end well.
+    """Whether tables and lists are nested more deeply than in any description, so that recursion may fail.
 
     >>> is_nested_deeply({"a": [{"b": 1}]})
     False
@@ -201,7 +201,7 @@ _SCHEMA = re.compile(r"""^[ \t]*(["']?)schema\1[ \t]*=[ \t]*(["'])(?P<name>.*?)\
 
 
 def schema_told(path: Path) -> str:
-    """Return the schema that a file of TOML names, empty where it names none: also of one that is not sound yet."""
+    """Return the schema that a file of TOML names, empty without one; also of invalid files."""
     if path.suffix != ".toml" or not path.is_file():
         return ""
     result = _SCHEMA.search(path.read_text(encoding="utf-8", errors="replace"))
@@ -226,7 +226,7 @@ Described = TypeVar("Described", bound=Description)
 
 
 def read_description(kind: type[Described], path: Path | str, schema: str) -> tuple[Described, str]:
-    """Read the one kind of description that a file with this schema line holds; give it with the file's text."""
+    """Read a file with this schema line as its kind of description; return that and the file's text."""
     table, text = read_toml(path)
     check_schema(table, (schema,), str(path))
     return kind.from_table(table, where=str(path), text=text), text
@@ -265,7 +265,7 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
 
 
 def _lines_before(entry: int, text: str) -> int:
-    """How many lines after the start of ``key = [...]`` an entry of the list is written; 0 where it is not found."""
+    """How many lines after the start of ``key = [...]`` an entry of the list is written; 0 if it is not found."""
     key = _KEY.match(text)
     depth = commas = 0
     for token in _TOKEN.finditer(text, key.end() if key else len(text)):
@@ -317,7 +317,7 @@ def description_error(
     text: str = "",
     path: tuple[str | int, ...] = (),
 ) -> DescriptionError:
-    """Turn pydantic's report into one jounce message, at most five lines; ``path`` is where ``kind`` lies."""
+    """Turn pydantic's report into one jounce message, at most five lines; ``path`` is the place of ``kind``."""
     every = error.errors()
     items = every[:_MOST_PROBLEMS]  # names are compared with names: the square of their number
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
@@ -335,7 +335,7 @@ _MOST_PROBLEMS = 200
 
 
 def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:
-    """Whether a missing key stands in the same table under a name so near that its own message says enough."""
+    """Whether a missing key is in the same table under a similar name, whose own message suffices."""
     *table, name = item["loc"]
     beside = [str(other["loc"][-1]) for other in unknown_keys if list(other["loc"][:-1]) == table]
     return isinstance(name, str) and bool(nearest(name, beside))
@@ -348,7 +348,7 @@ def _is_within(whole: Any, items: list[Any]) -> bool:
 
 
 def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> tuple[str, str]:
-    """Where a problem lies and what it is."""
+    """Place and text of a problem."""
     within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     if item["type"] == "misplaced":
@@ -380,7 +380,7 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
 
 
 def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:
-    """Path as the user wrote it, without pydantic's own names, and the descriptions that may stand there."""
+    """Path as the user wrote it, without pydantic's own names, and the descriptions allowed there."""
     current: list[type[BaseModel]] = [kind]
     path: list[str | int] = []
     for part in loc:

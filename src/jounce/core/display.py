@@ -1,6 +1,6 @@
-"""The units in which SI values are shown to people: one system at a time, metric or imperial, over all faces.
+"""Display units of SI values: one system at a time, metric or imperial, for all faces.
 
-Files, recordings and JSON stay SI whatever is chosen here, and what is read carries its unit.
+Files, recordings and JSON stay SI, and inputs carry their units.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ def use_units(system: System) -> None:
     Parameters
     ----------
     system : {"metric", "imperial"}
-        ``metric``: mm, N/mm, N·s/m, MPa, as it is without this call. ``imperial``: in, lbf/in, lbf·s/in, psi, lb, lbf,
+        ``metric``: mm, N/mm, N·s/m, MPa, the default. ``imperial``: in, lbf/in, lbf·s/in, psi, lb, lbf,
         and mph and ft where speeds and lengths are large. Angles are in degrees with both.
 
     Raises
@@ -159,7 +159,7 @@ def shown_in(system: System) -> Iterator[None]:
 
 
 def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
-    """Choose the unit in which values of an SI unit are shown.
+    """Choose the display unit for values of an SI unit.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
     Returns
     -------
     DisplayUnit
-        The SI unit itself where nothing is more usual.
+        The SI unit itself if no other is common.
 
     Examples
     --------
@@ -186,14 +186,14 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
 
 
 def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
-    """The chosen system's unit for values that stand in a metric one, and its size for one of those.
+    """Unit of the chosen system for values in a metric unit, and the factor.
 
     Parameters
     ----------
     unit : str
-        Metric unit in which the values stand, SI or not: ``"N/m"``, ``"mm"``, ``"N·s/m"``.
+        Metric unit of the values, SI or not: ``"N/m"``, ``"mm"``, ``"N·s/m"``.
     words : str
-        What is measured: speeds are in mph, whatever their size.
+        Quantity: speeds are in mph, whatever their size.
     largest : float
         Largest absolute value, in ``unit``.
 
@@ -221,7 +221,7 @@ def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
 
 
 def size(value: float, unit: str, words: str = "") -> str:
-    """A value that stands in a metric unit, written in the chosen system with its unit; ``words`` as in `shown_as`.
+    """A value in a metric unit, written in the chosen system with its unit; ``words`` as in `shown_as`.
 
     >>> with shown_in("imperial"):
     ...     size(20.0, "m/s"), size(0.35, "m"), size(2.0, "s")
@@ -234,7 +234,7 @@ def size(value: float, unit: str, words: str = "") -> str:
 
 @lru_cache(maxsize=256)
 def _si_of(unit: str) -> tuple[str, float] | None:
-    """The SI unit that a metric one converts to, of those with an imperial one, and its size."""
+    """SI unit and factor of a metric unit, if it has an imperial counterpart."""
     from jounce.core.units import conversion_factor
 
     if unit in _KEPT or unit in _ANYWHERE:

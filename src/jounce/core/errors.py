@@ -13,11 +13,11 @@ from typing import Any
 from jounce.core.text import shortened
 
 _LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
-"""Characters: what a file holds may be of any length, what a reader is told not."""
+"""Characters: a file's content may be long, a message must not."""
 
 
 class JounceError(Exception):
-    """A mistake in what the user gave, or an outcome the user must know.
+    """A mistake in the user's input, or an outcome the user must know.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class JounceError(Exception):
         super().__init__(self._text())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Go to another process as text and facts, whatever the constructor of a subclass takes."""
+        """Pickle as text and facts, whatever arguments the constructor of a subclass takes."""
         plain = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
@@ -78,7 +78,7 @@ class OutputError(JounceError):
 
 
 class ResourceError(JounceError):
-    """Something that the system lacks or that fails, as memory: this says nothing about the file that was worked on."""
+    """A resource that is missing or fails, such as memory; it says nothing about the processed file."""
 
 
 class DiskError(ResourceError, OutputError):
@@ -86,7 +86,7 @@ class DiskError(ResourceError, OutputError):
 
 
 NO_THREAD = "can't start new thread"
-"""What Python says where the system gives no more threads."""
+"""Python's message if the system allows no more threads."""
 _MEMORY = ("out of memory", "End other programs, or raise the limit of memory (ulimit -v).")
 _PROCESSES = (
     "no more processes or threads can be started",
@@ -96,7 +96,7 @@ _FILES = ("too many open files", "End other programs, or raise the limit of open
 _SIZE = ("a file may not grow as large as that", "Raise the limit of the size of files (ulimit -f).")
 _LIBRARY = ("a library cannot be loaded", "Is the installation whole, and is there memory for it (ulimit -v)?")
 WHERE_WRITTEN = "Check the path, the permissions and the space on the disk."
-"""What helps where the system refuses to write, for whatever reason."""
+"""Advice if the system refuses to write."""
 _DISK = ("the disk is full or fails", WHERE_WRITTEN)
 _LACKING = {
     "ENOMEM": _MEMORY,
@@ -106,12 +106,12 @@ _LACKING = {
     "EFBIG": _SIZE,
     **dict.fromkeys(("ENOSPC", "EDQUOT", "EIO", "EROFS", "ESTALE"), _DISK),
 }
-"""What the system lacks, and what helps, by the name of its error."""
+"""Missing resource and advice, by the name of the system's error."""
 _BY_NUMBER = {getattr(errno, name, -1): told for name, told in _LACKING.items()}
 
 
 def is_of_system(error: BaseException) -> bool:
-    """Whether an error is the system's or the disk's, not that of a file or of what it holds.
+    """Whether an error comes from the system or the disk, not from a file or its content.
 
     >>> is_of_system(OSError(errno.ENOSPC, "")), is_of_system(OSError(errno.ENOENT, "")), is_of_system(MemoryError())
     (True, False, True)
@@ -120,7 +120,7 @@ def is_of_system(error: BaseException) -> bool:
 
 
 def _lacking(error: BaseException) -> tuple[str, str] | None:
-    """What the system lacks, and what helps; None where an error is about something else."""
+    """Missing resource and advice; None for other errors."""
     if isinstance(error, OSError) and error.errno in _BY_NUMBER:
         return _BY_NUMBER[error.errno]
     if isinstance(error, MemoryError):
@@ -133,7 +133,7 @@ def _lacking(error: BaseException) -> tuple[str, str] | None:
 
 
 def _is_larger_than_memory(error: MemoryError) -> bool:
-    """Whether one array alone, as NumPy says, was to be larger than this machine's memory: no machine is to blame."""
+    """Whether one array alone exceeds this machine's memory, by NumPy's message."""
     try:
         asked = error.dtype.itemsize * math.prod(error.shape)  # type: ignore[attr-defined]
         return bool(asked > os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
@@ -142,7 +142,7 @@ def _is_larger_than_memory(error: MemoryError) -> bool:
 
 
 def resource_error(error: BaseException, where: str = "") -> ResourceError:
-    """The error for what the system lacks, with what helps.
+    """Error for a missing resource, with advice.
 
     >>> str(resource_error(OSError(errno.EMFILE, "Too many open files")))
     'too many open files. End other programs, or raise the limit of open files (ulimit -n).'
@@ -156,12 +156,12 @@ def resource_error(error: BaseException, where: str = "") -> ResourceError:
 
 
 def reason(error: Exception) -> str:
-    """Why a file, a trial or a variant is left out while the work goes on with the others.
+    """Reason why a file, trial or variant is skipped while work continues with the others.
 
     Raises
     ------
     ResourceError
-        If the system lacks something: it would be wrong of all others, too, and is no reason to leave this one out.
+        If a resource is missing: that affects all others as well, and is no reason to skip this one.
     """
     if is_of_system(error):
         raise resource_error(error) from error
@@ -200,7 +200,7 @@ def shown(value: object) -> str:
 
 
 def named(value: object) -> str:
-    """A value as messages name it: plain ones as they are, all others by their kind.
+    """Name of a value in messages: plain values themselves, others by their kind.
 
     >>> named("5 mm"), named(3), named([1, 2]), named(KeyError())
     ("'5 mm'", '3', 'a list', 'a KeyError')
@@ -212,13 +212,13 @@ def named(value: object) -> str:
 
 
 def nearest(name: str, options: Iterable[str]) -> str:
-    """Return the sentence ``did you mean 'x'?``, or an empty text when nothing is near."""
+    """Return the sentence ``did you mean 'x'?``, or an empty text without a similar option."""
     match = nearest_name(name, options)
     return f"Did you mean {match!r}?" if match else ""
 
 
 def nearest_name(name: str, options: Iterable[str]) -> str:
-    """Return the option that a name was probably meant for, or an empty text when nothing is near."""
+    """Return the option that a name was probably meant for, or an empty text without a similar option."""
     match = difflib.get_close_matches(name[:_LONGEST_VALUE], list(options), n=1, cutoff=0.6)
     return match[0] if match else ""
 

@@ -15,7 +15,7 @@ from jounce.core.errors import DescriptionError, DiskError, JounceError, Recordi
 
 
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
-    """Return the path of a file; where there is none, the error says so."""
+    """Return the path of a file; raise if it does not exist."""
     file = Path(path)
     root = _ROOT.get() or _ALWAYS.get("root")
     if root is not None and not _lies_in(file, root):
@@ -30,13 +30,13 @@ _ALWAYS: dict[str, Path] = {}
 
 
 def always_below(folder: Path) -> None:
-    """Let what this process reads lie below a folder from now on, in all of its threads: it works for others."""
+    """Restrict reading to a folder from now on, in all threads of this process, which works for others."""
     _ALWAYS["root"] = folder.resolve()
 
 
 @contextmanager
 def only_below(folder: Path) -> Iterator[None]:
-    """Let what is read in a block lie below a folder only, also where links lead to it, or in the package."""
+    """Restrict reading in a block to a folder (after following links) and the package."""
     before = _ROOT.set(folder.resolve())
     try:
         yield
@@ -53,7 +53,7 @@ def _lies_in(file: Path, root: Path) -> bool:
 
 
 def _is_file(file: Path) -> bool:
-    """Whether it is a file; a name that no system takes is none."""
+    """Whether a path is a file; False for invalid names."""
     try:
         return file.is_file()
     except OSError as error:
@@ -63,7 +63,7 @@ def _is_file(file: Path) -> bool:
 
 
 def _is_put_back(file: Path) -> bool:
-    """Whether a file is there once an exchange of files that was cut off is undone or finished."""
+    """Whether a file exists after completing or undoing an interrupted exchange of files."""
     from jounce.core.writing import sweep_beside
 
     with suppress(JounceError, OSError, ValueError):
@@ -84,7 +84,7 @@ State = tuple[int, int, int, int]
 
 
 def state_of(file: Path) -> State:
-    """What a file is remembered by: another content of the same size and date is another state, too.
+    """Identity of a file's content for caches: also differs for other content of the same size and date.
 
     Dates of content can be set, and clocks stand still or jump; the system's own date of the last change, and which
     file it is, tell what they do not.
@@ -93,13 +93,13 @@ def state_of(file: Path) -> State:
     return state.st_ino, state.st_size, state.st_mtime_ns, state.st_ctime_ns
 
 
-_LARGEST = 1_000_000_000  # bytes
+_LARGEST = 1_000_000_000  # bytes: what fits into memory with its numbers
 
 
 def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST) -> bytes:
-    """Return what a regular file of ``most`` bytes holds.
+    """Return the content of a regular file of at most ``most`` bytes.
 
-    It is opened before it is looked at: a pipe keeps nobody waiting.
+    It is opened before it is examined, so that a pipe cannot block.
     """
     file = existing_file(path, error)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -116,7 +116,7 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *,
 
 @contextmanager
 def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
-    """Let what the system says while a file is read name the file."""
+    """Name the file in system errors while it is read."""
     try:
         yield
     except OSError as refused:

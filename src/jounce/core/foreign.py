@@ -41,7 +41,7 @@ def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple
 
 
 class _NoNumberError(Exception):
-    """What is no number, in words."""
+    """Not a number; with the reason."""
 
 
 def _numbers(values: Any) -> tuple[NDArray[Any], str]:

@@ -15,12 +15,12 @@ INTERRUPTED = "interrupted; no file is left half-written."
 
 
 def interrupt(number: int, _: FrameType | None) -> None:
-    """Interrupt the command, which removes what it has begun and says so."""
+    """Interrupt the command, which then removes unfinished files and reports it."""
     raise KeyboardInterrupt(number)
 
 
 def leave(number: int, _: FrameType | None) -> NoReturn:
-    """End the process at once: nothing is written while commands are loaded, or after they have answered."""
+    """End the process at once: nothing is being written while commands load, or after they have finished."""
     with suppress(OSError):
         os.write(2, f"jounce: {INTERRUPTED}\n".encode())
     os._exit(128 + number)
@@ -40,7 +40,7 @@ def handle_interrupts(handler: Callable[[int, FrameType | None], None]) -> None:
 
 @contextmanager
 def interrupt_after() -> Iterator[None]:
-    """Hold an interrupt back until the block ends; a second one is let through.
+    """Delay an interrupt until the block ends; a second one passes.
 
     CasADi turns an interrupt into an error of its own, or loses it. Nothing changes where somebody else handles the
     signals, and in other threads, which never get them.
@@ -70,7 +70,7 @@ def interrupt_after() -> Iterator[None]:
 
 @contextmanager
 def uncovering_interrupts() -> Iterator[None]:
-    """Raise the interrupt itself where a library, or what was tidied up after it, made another error of it.
+    """Raise the interrupt itself if a library, or a cleanup, turned it into another error.
 
     >>> try:
     ...     with uncovering_interrupts():

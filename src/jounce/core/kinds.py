@@ -37,7 +37,7 @@ class Rows(Mapping[str, Row]):
         self._rows[name] = row
 
     def _all(self) -> dict[str, Row]:
-        with self._lock:  # nobody else looks while some of the modules are missing
+        with self._lock:  # no other thread may look while modules are missing
             if not self._complete:
                 self._complete = True
                 for module in iter_modules(import_module(self.package).__path__):
@@ -59,7 +59,7 @@ class Rows(Mapping[str, Row]):
 
 
 class Kinds(Rows[type[Any]]):
-    """Classes of a family by the word that selects them.
+    """Classes of a family by their selecting word.
 
     The base of the family holds it as ``kinds``; each subclass whose field ``key`` has a default joins under that
     default, so there is no list to keep.
@@ -80,7 +80,7 @@ class Kinds(Rows[type[Any]]):
         self._adapter: tuple[int, TypeAdapter[Any]] | None = None
 
     def join(self, kind: type[BaseModel]) -> None:
-        """Take a class in, if it says itself which word selects it."""
+        """Add a class, if it defines its own selecting word."""
         if self.key not in vars(kind).get("__annotations__", {}):
             return
         word = kind.model_fields[self.key].default
@@ -90,7 +90,7 @@ class Kinds(Rows[type[Any]]):
         self.add(word, kind)
 
     def adapter(self) -> TypeAdapter[Any]:
-        """Reader of any member of the family, told apart by ``key``."""
+        """Reader of any member of the family, selected by ``key``."""
         if self._adapter is None or self._adapter[0] != len(self):  # a class of the user's own may have joined
             members: Any = reduce(or_, self._all().values())
             told_apart: Any = Annotated[members, Field(discriminator=self.key)]

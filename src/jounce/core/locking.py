@@ -1,4 +1,4 @@
-"""One process at a time: locks on files and folders that go with the process that holds them, however it ends."""
+"""Locks on files and folders between processes; they end with the process that holds them."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 
-_BETWEEN_TRIALS = 0.02  # s
+_BETWEEN_TRIALS = 0.02  # s between attempts: unnoticed by people, cheap for the system
 
 
 def hold(place: Path, *, shared: bool = False) -> int | None:
-    """Hold a file, which is made, or a folder until ``os.close`` of what is given; None where another process holds it.
+    """Lock a file (created if missing) or a folder until ``os.close`` of the result; None if another process has it.
 
-    Where it is ``shared``, others may do so, too, but on Windows. On a disk without locks everybody holds everything.
+    A ``shared`` lock allows other shared ones, except on Windows. A disk without locks grants all.
     """
     folder = place.is_dir()
     if sys.platform == "win32":
@@ -44,8 +44,8 @@ def hold(place: Path, *, shared: bool = False) -> int | None:
 
 
 def is_held(place: Path) -> bool:
-    """Whether another process holds a file or a folder."""
-    held = hold(place, shared=True)  # two who ask at once do not take each other for one who holds it
+    """Whether another process has locked a file or a folder."""
+    held = hold(place, shared=True)  # two tests at once do not see each other as a lock
     if held is not None:
         os.close(held)
     return held is None
@@ -59,7 +59,7 @@ def _file_for(folder: Path) -> Path:
 
 @contextmanager
 def holding(place: Path) -> Iterator[None]:
-    """Hold a file or a folder for a block, once no other process does."""
+    """Lock a file or a folder for a block, after waiting for other processes."""
     while (held := hold(place)) is None:
         time.sleep(_BETWEEN_TRIALS)
     try:

@@ -59,7 +59,7 @@ def number(value: float | None, digits: int = 4) -> str:
 
 
 def quantity(value: float | None, si: str, digits: int = 4) -> str:
-    """Write an SI value in its display unit with the unit behind it, e.g. ``22.73 N/mm``.
+    """Write an SI value in its display unit with the unit, e.g. ``22.73 N/mm``.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def quantity(value: float | None, si: str, digits: int = 4) -> str:
     Returns
     -------
     str
-        An en dash where there is no value.
+        An en dash without a value.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def quantity(value: float | None, si: str, digits: int = 4) -> str:
 
 
 def digits_for(value: float, error: float | None, most: int = 7, default: int = 4) -> int:
-    """Significant digits of a value so that its error shows two; both in the same unit."""
+    """Significant digits of a value such that its error shows two; both in the same unit."""
     if error is None or not error > 0.0 or not math.isfinite(error) or value == 0.0:
         return default
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))

@@ -16,7 +16,7 @@ class MissingPackageError(JounceError):
 
 
 def require(module: str, extra: str) -> ModuleType:
-    """Import a package of an optional extra; where it is missing, a MissingPackageError says how to install it.
+    """Import a package of an optional extra; raise MissingPackageError with the command to install it if it is missing.
 
     >>> require("json", "io").dumps([1])
     '[1]'
@@ -34,7 +34,7 @@ def require(module: str, extra: str) -> ModuleType:
 def how_to_install(extra: str) -> str:
     """Return the command that installs an extra: from the folder jounce was installed from, else package by package.
 
-    An index need not have jounce, and may have something else of that name.
+    A package index may lack jounce, or have another project of that name.
     """
     from importlib import metadata
     from urllib.parse import urlsplit

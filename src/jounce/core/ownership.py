@@ -1,4 +1,4 @@
-"""Files that are run, not only read: none that another user could have put there.
+"""Files that are executed: refuse those that another user could have written.
 
 A checksum tells damage, not purpose: whoever can write a file of code has it run by whoever uses jounce. Trusted are
 the user, root, and whoever may write jounce itself; nobody else may be able to write the file, its folder, or any
@@ -16,21 +16,21 @@ _MOST_LINKS = 40
 
 
 class ForeignError(OSError):
-    """Another user could have written the file; ``filename`` says what of its path is open to others."""
+    """Another user could have written the file; ``filename`` is the part of its path that is open to others."""
 
 
 def read_own(file: Path) -> bytes:
-    """Return what a file holds.
+    """Return the content of a file.
 
     Raises
     ------
     ForeignError
-        Where another user could have written it.
+        If another user could have written it.
     OSError
         If there is no such regular file that can be read.
     """
     place = _walked(file)
-    # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
+    # Opened first, then examined, so that both are the same file. A pipe must not block.
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
     with os.fdopen(os.open(place, flags), "rb") as stream:
         found = os.fstat(stream.fileno())
@@ -41,12 +41,12 @@ def read_own(file: Path) -> bytes:
 
 
 def own_folder(folder: Path) -> Path:
-    """Make a folder with those on the way to it, and give its place; nobody else can write there.
+    """Make a folder with its parents, and return its path; nobody else can write there.
 
     Raises
     ------
     ForeignError
-        Where somebody else can.
+        If somebody else can.
     OSError
         If it cannot be made.
     """
@@ -56,7 +56,7 @@ def own_folder(folder: Path) -> Path:
 
 
 def _walked(file: Path) -> Path:
-    """The place of a file without links, every folder and link on the way to it looked at.
+    """Path of a file without links; every folder and link on the way is checked.
 
     From the root downwards: what lies in a folder that only trusted people can write stays what it is after it was
     looked at. In a folder with the sticky bit, as /tmp, this holds for what they own.
@@ -88,9 +88,9 @@ def _walked(file: Path) -> Path:
 
 
 def _check_folder(folder: Path, *, last: bool) -> None:
-    """Refuse a folder where others can exchange what is on the way; in the ``last`` one, also where they can add."""
+    """Refuse a folder in which others can replace the path; for the ``last`` one also if they can add files."""
     if folder in Path(__file__).resolve().parents:
-        return  # whoever can write there can write jounce
+        return  # who can write there can also write jounce
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode):
         raise NotADirectoryError(folder)
@@ -118,7 +118,7 @@ def _trusted() -> tuple[int, ...]:
 
 @cache
 def _is_private(group: int, user: int) -> bool:
-    """Whether a group is a user's own, as many systems make one for each: of the same name, without other members."""
+    """Whether a group is a user's private group: of the same name, without other members."""
     import grp
     import pwd
 

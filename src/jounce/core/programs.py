@@ -1,4 +1,4 @@
-"""Programs of other makers that jounce runs: from the folders of the path, never from the one that one stands in."""
+"""External programs that jounce runs: from the folders of PATH, never from the current folder."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def program_on_path(name: str) -> str | None:
-    """Find a program in the folders that PATH names in full; None where there is none.
+    """Find a program in the folders that PATH names in full; None if it is missing.
 
     Unlike ``shutil.which`` it looks neither in the current folder, as Windows does first, nor in those that PATH names
     relative to it: an archive may have brought a program of that name.

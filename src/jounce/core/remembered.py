@@ -1,4 +1,4 @@
-"""What is made once and found again: beside the frozen object that it follows from, or by a key."""
+"""Caches: of results beside the frozen object they derive from, or by a key."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _NOTHING: Any = object()
 
 
 def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
-    """Call a function once for each object it is given: what it gave is kept beside the object, not in it.
+    """Call a function once for each object; the result is cached beside the object, not in it.
 
     The object must never change, and what the function gives is shared by all who ask: it must not change either, and
-    must not hold the object, which would then live for ever. Objects count by identity, not by what they are equal to.
-    Threads that ask at once get the same: one of them calls, the others wait.
+    must not hold the object, which would then never be freed. Objects are compared by identity, not by equality.
+    Concurrent threads get the same result: one of them calls, the others wait.
 
     >>> @remembered
     ... def size(description):
@@ -40,28 +40,28 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
     @wraps(function)
     def recall(thing: Thing) -> Found:
         place = id(thing)
-        kept = known.get(place)
-        if kept is not None and kept[0]() is thing:
-            return kept[1]
+        entry = known.get(place)
+        if entry is not None and entry[0]() is thing:
+            return entry[1]
 
         def forget(gone: weakref.ref[Any]) -> None:
             if place in known and known[place][0] is gone:
                 known.pop(place, None)
 
         with turn((recall, place)):
-            kept = known.get(place)
-            if kept is None or kept[0]() is not thing:
-                kept = known[place] = weakref.ref(thing, forget), function(thing)
-            return kept[1]
+            entry = known.get(place)
+            if entry is None or entry[0]() is not thing:
+                entry = known[place] = weakref.ref(thing, forget), function(thing)
+            return entry[1]
 
     return recall
 
 
 class Recent(Generic[Found]):
-    """Things made when they are first asked for, by their keys. All are kept, or as many as were asked for last.
+    """Objects made on first request, by their keys. All are entry, or only the most recent ones.
 
     A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``
-    for all that is kept so. ``own`` is a bound of one of them, however many the process may keep.
+    for all that is entry so. ``own`` is a bound of one of them, however many the process may keep.
 
     >>> squares = Recent()
     >>> squares.of(3, lambda: 9), squares.of(3, lambda: print("not asked"))
@@ -75,7 +75,7 @@ class Recent(Generic[Found]):
         self._own, self._kept = own, OrderedDict[Hashable, Found]()
 
     def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
-        """Return what belongs to a key; where several threads want it, the first makes it and the others wait."""
+        """Return the object of a key; among several threads the first makes it and the others wait."""
         value = self._recall(key)
         if value is _NOTHING:
             with turn((id(self), key)):

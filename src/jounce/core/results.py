@@ -1,4 +1,4 @@
-"""Fields of results: what each is called, and its unit, said once beside its type.
+"""Fields of results: label and unit, declared once beside the type.
 
     @dataclass(frozen=True)
     class Fit(Shown):
@@ -40,7 +40,7 @@ class Shows:
 
 
 def own_unit(result: Any) -> str:
-    """Give the unit that a result says in its ``unit``, for :class:`Shows`."""
+    """Return the unit in a result's ``unit``, for :class:`Shows`."""
     return str(result.unit) or "1"
 
 
@@ -56,7 +56,7 @@ class ResultField:
 
     @property
     def size(self) -> float:
-        """Absolute value of a number; 0 for what is none."""
+        """Absolute value of a number; 0 for other values."""
         value = getattr(self.value, "value", self.value)
         ends = value if isinstance(value, tuple) else (value,)
         return max((abs(end) for end in ends if isinstance(end, float)), default=0.0)
@@ -122,7 +122,7 @@ def _of_properties(kind: type) -> Iterator[tuple[str, Any]]:
 
 
 def _metadata(annotation: Any, module: str) -> tuple[Any, ...]:
-    """What an annotation carries beside its type; one without a mark is not evaluated."""
+    """Metadata of an annotation; one without a mark is not evaluated."""
     if isinstance(annotation, str):
         if "Shows(" not in annotation:
             return ()
@@ -188,7 +188,7 @@ def tables_of(result: Any) -> Iterator[TextTable]:
 
 
 def fields_table(title: str, fields: Sequence[ResultField]) -> TextTable:
-    """Write fields that have a value as rows, with columns for their uncertainty where there is one."""
+    """Write fields that have a value as rows, with columns for their uncertainty if there is one."""
     known = [field for field in fields if field.value is not None]
     rows = [(field.label, *field.cells()) for field in known]
     if any(hasattr(field.value, "interval") for field in known):

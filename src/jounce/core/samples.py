@@ -1,4 +1,4 @@
-"""What users of Python call numbers and arrays, as floats in SI: one border for all functions that take some."""
+"""Numbers and arrays of Python users as floats in SI: one border for all functions that take them."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def listed(values: object) -> object:
 
 
 Listed = BeforeValidator(listed)
-"""Pydantic annotation of a field of several numbers, which then takes arrays and columns, too."""
+"""Pydantic annotation of a field of several numbers, which then also accepts arrays and columns."""
 
 
 def _dimensions(values: object) -> int:

@@ -1,4 +1,4 @@
-"""Whole numbers that users give: counts, and seeds of what is drawn at random."""
+"""Integers from users: counts, and seeds of random numbers."""
 
 from __future__ import annotations
 

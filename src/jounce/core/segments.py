@@ -32,7 +32,7 @@ class Segments:
     edges : ndarray, shape (n + 1,)
         Ascending piece borders; the first and the last piece go on beyond them.
     kind : ndarray of int64, shape (n,)
-        What each piece is.
+        Kind of each piece.
     coefficients : ndarray, shape (n, 4)
         ``c0 .. c3`` of each piece, SI.
     rate : float
@@ -62,7 +62,7 @@ class Segments:
 
     @cached_property
     def fastest_wave(self) -> float:
-        """Fastest sine, radians per unit of ``x``; 0 where there is none."""
+        """Fastest sine, radians per unit of ``x``; 0 without one."""
         return float(np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0))
 
     def in_time(self, speed: float) -> Segments:
@@ -112,8 +112,8 @@ class Segments:
     def with_ramps(self, shortest: float) -> Segments:
         """Return the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
 
-        What follows the rate of the signal, as the damper of a tyre does, gets the blow of the jump from it, over 1e-5
-        of its height.
+        A quantity that follows the rate of the signal, such as a tyre's damper, gets the impulse of the jump from it,
+        over 1e-5 of its height.
         """
         (at,) = np.nonzero(np.abs(self.jumps) > JUMP)
         if not len(at):
@@ -135,7 +135,7 @@ class Segments:
     def with_finite_slopes(self) -> Segments:
         """Return the same signal with a short chord wherever a circle begins or ends upright.
 
-        The slope of a circle is infinite there; a damper that sees it gets the same impulse from the chord, over
+        The slope of a circle is infinite there; a damper gets the same impulse from the chord, over
         1e-5 of the radius.
         """
         if not np.any(self.kind == CIRCLE):
@@ -151,7 +151,7 @@ class Segments:
         )
 
 
-_CHORD = 1e-5  # of the radius, or of the height of a jump
+_CHORD = 1e-5  # of the radius, or of the height of a jump: far shorter than a step, longer than rounding
 JUMP = 1e-6
 """Difference at an edge from which on a height jumps there, m."""
 

@@ -14,9 +14,9 @@ from jounce.core.shown import Shown
 
 
 class Plain(Shown):
-    """Mix-in of results (dataclasses): ``to_dict`` gives their fields as plain data.
+    """Mix-in of results (dataclasses): ``to_dict`` returns their fields as plain data.
 
-    A class names the fields that stay out in ``left_out`` and the properties that are given beside the fields in
+    A class lists omitted fields in ``left_out`` and additional properties in
     ``also``; what has another shape overrides ``to_dict`` (see `plain_table`).
 
     Examples

@@ -1,4 +1,4 @@
-"""Digests of our own sources: what is kept on disk from one version is not taken for another's."""
+"""Digests of jounce's sources, so that files cached by one version are not used by another."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ def digest_of(*packages: str) -> str:
     """
     digest, root = hashlib.sha256(), Path(__file__).parent.parent
     for package in packages:
-        whole = root / package
-        for file in sorted(whole.rglob("*.py")) if whole.is_dir() else [whole.with_suffix(".py")]:
+        folder = root / package
+        for file in sorted(folder.rglob("*.py")) if folder.is_dir() else [folder.with_suffix(".py")]:
             digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
     return digest.hexdigest()
 
 
 def edited_since(*packages: str) -> bool:
-    """Whether modules of the packages are others than when this process first asked for their digest."""
+    """Whether modules of the packages have changed since this process first computed their digest."""
     return digest_of.__wrapped__(*packages) != digest_of(*packages)

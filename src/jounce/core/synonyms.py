@@ -44,7 +44,7 @@ SYNONYMS: dict[str, tuple[str, ...]] = {
     "welch": ("power_spectrum",),
     "write": ("write_recording", "save"),
 }
-"""What other programs and books call it, in small letters, to what it is called here."""
+"""Names in other programs and books, in lower case, with the names in jounce."""
 
 
 def meant(name: str, options: Iterable[str]) -> str:
@@ -55,5 +55,5 @@ def meant(name: str, options: Iterable[str]) -> str:
     """
     spelt = {option.lower(): option for option in options}
     near = difflib.get_close_matches(name.lower()[:100], spelt, n=1, cutoff=0.6)
-    result = SYNONYMS.get(name.lower()) or [spelt[one] for one in near]
+    result = SYNONYMS.get(name.lower()) or [spelt[name_] for name_ in near]
     return f"Did you mean {' or '.join(map(repr, result))}?" if result else ""

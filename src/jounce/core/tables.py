@@ -1,4 +1,4 @@
-"""Tables as text that fit into a number of columns: no number is broken; columns without room stand below."""
+"""Tables as text that fit into a number of columns: no number is broken; columns without room follow below."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ class TextTable:
     header : sequence of str
         Name of each column.
     rows : sequence of sequence of str
-        Cells; the first column names the row and is repeated where columns stand below, as is the column "unit".
+        Cells; the first column names the row and is repeated for columns that follow below, as is the column "unit".
     texts : sequence of int
-        Columns that hold text: they stand to the left, and their lines break between words.
+        Columns of text: flush left, with line breaks between words.
 
     Examples
     --------
@@ -76,7 +76,7 @@ class TextTable:
         return [self._widened(part, least, width) for part in parts]
 
     def _widened(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
-        """Share the remaining width among the columns that can use it; where there is none, cut the names of rows."""
+        """Share the remaining width among the columns that can use it; without any, shorten the names of rows."""
         wanted = [self._width(k, is_least=False) - least[k] for k in columns]
         left = width - _sum([least[k] for k in columns])
         share = min(1.0, max(0, left) / max(1, sum(wanted)))

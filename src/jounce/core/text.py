@@ -33,7 +33,7 @@ def quoted(text: str) -> str:
 
 
 def in_one_line(text: str) -> str:
-    r"""A text as a comment of TOML or another line: blanks and ends of lines are one blank, nothing is unseen.
+    r"""A text as a comment of TOML or a single line: white space becomes one blank, invisible characters are shown.
 
     >>> in_one_line("2 springs\n  of\x7f steel")
     '2 springs of\\x7f steel'
@@ -42,7 +42,7 @@ def in_one_line(text: str) -> str:
 
 
 def shortened(text: str, most: int) -> str:
-    """The text, or its begin with the number of its characters where it has more than ``most``.
+    """The text, or its beginning with the number of characters if it has more than ``most``.
 
     >>> shortened("x" * 9, 9), shortened("x" * 5000, 3)
     ('xxxxxxxxx', 'xxx... (5000 characters)')
@@ -63,7 +63,7 @@ def guarded(text: str) -> str:
 
 
 def unguarded(text: str) -> str:
-    """The text that was guarded (see `guarded`); others as they are."""
+    """The text before `guarded`; others unchanged."""
     return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
 
 

@@ -1,4 +1,4 @@
-"""Whether programs of others (FMUs) may run in this process, where the user has said so."""
+"""Whether foreign programs (FMUs) may run in this process, by the user's choice."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _SAID: ContextVar[bool | None] = ContextVar("trust", default=None)
 
 
 def trust_said() -> bool | None:
-    """What the user said; None where nobody was asked, as in Python, where the description decides.
+    """The user's choice; None without one, as in Python, where the description decides.
 
     >>> with trusting(False):
     ...     trust_said()

@@ -1,4 +1,4 @@
-"""Threads that want the same thing: the first makes it, the others wait and share it."""
+"""Concurrent requests for one object: the first thread makes it, the others wait and share it."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _MISSING: Any = object()
 
 
 class _Turns:
-    """One lock for each thing that is being made, for as long as somebody makes it or waits for it."""
+    """One lock for each object in the making, for as long as a thread makes it or waits for it."""
 
     def __init__(self) -> None:
         self.forget()
 
     def forget(self) -> None:
         self._lock = RLock()
-        self._turns: dict[Hashable, list[Any]] = {}  # lock, number of threads that hold it or wait
+        self._turns: dict[Hashable, list[Any]] = {}  # lock, number of threads with it or waiting
 
     @contextmanager
     def of(self, key: Hashable) -> Iterator[None]:
@@ -51,7 +51,7 @@ if hasattr(os, "register_at_fork"):
 class once(cached_property[Value]):  # noqa: N801 - used as a decorator, like `cached_property`
     """A ``cached_property`` that one thread computes while others wait (from Python 3.12 on, it has no lock).
 
-    For what is expensive, or must be the same object for all threads.
+    For expensive properties, or if all threads need the same object.
 
     >>> class Rig:
     ...     @once

@@ -48,7 +48,7 @@ def bare_number(text: str) -> str | float:
 
 
 def ends(text: str) -> tuple[str | float, str | float] | None:
-    """Split ``LOW..HIGH UNIT``; a unit behind the second end is that of both. None where the text is no range.
+    """Split ``LOW..HIGH UNIT``; a unit after the second end applies to both. None if the text is no range.
 
     >>> ends("20..40 N/mm"), ends("300..6000"), ends("10 %")
     (('20 N/mm', '40 N/mm'), (300.0, 6000.0), None)
@@ -93,7 +93,7 @@ def toml_value(text: str) -> Any:
         return text
     try:
         return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
-    except OverflowError:  # refused where it is read as a size
+    except OverflowError:  # refused later, when read as a size
         return value
 
 

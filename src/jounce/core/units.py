@@ -28,7 +28,7 @@ def _registry() -> Any:
     def make() -> Any:
         import pint
 
-        # No cache of its own: pint unpickles whatever lies in that folder, and others may be able to write there.
+        # No cache: pint unpickles files in its folder, which others may be able to write.
         return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
     return _registries.of("pint", make)
@@ -47,10 +47,10 @@ _WORDS = {
     "Nm": "N*m", "kNm": "kN*m", "Nmm": "N*mm", "Ns": "N*s", "kNs": "kN*s", "Nms": "N*m*s", "kp": "kgf", "kmh": "km/h",
     "kmph": "km/h", "ips": "in/s", "fps": "ft/s", "Sek": "s", "sek": "s", "Grad": "deg", "grad": "deg",
 }  # fmt: skip
-"""Words of test benches that the library of units does not know, or takes for something else (Nm: a textile number)."""
+"""Units of test benches that pint does not know, or takes for another unit (Nm: a textile number)."""
 _WHOLE = {"U/min": "rpm", "1/min": "rpm", "min^-1": "rpm", "lb-ft": "lbf*ft", "ft-lb": "lbf*ft", "ft-lbs": "lbf*ft",
           "ft*lb": "lbf*ft", "lb*ft": "lbf*ft", "lb-in": "lbf*in", "in-lb": "lbf*in"}  # fmt: skip
-"""Whole units that mean something else in a column of rotation, or of torque."""
+"""Units with another meaning in a column of rotation or torque."""
 _GRAVITY = {
     **dict.fromkeys(("g", "G", "gn", "g_n", "g0", "g_0", "gs", "g's", "g-force"), 1.0),
     **dict.fromkeys(("mg", "mG", "mgn", "milli-g", "millig", "milli g", "milli_g", "milligravity"), 1e-3),
@@ -74,7 +74,7 @@ def _plain_spelling(unit: str) -> str:
 
 @lru_cache(maxsize=512)
 def _parsed(unit: str) -> Any:
-    """The library's unit of a text; ValueError when it is none, or so long or raised so high that it cannot be one."""
+    """The library's unit of a text; ValueError if it is none, or far too long or raised too high."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
     if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
         raise ValueError(f"{unit[:_LONGEST_UNIT]!r} is not a unit")
@@ -130,13 +130,13 @@ _EVERYDAY: dict[str, dict[str, float]] = {
     "rad": {"deg": math.pi / 180.0},
     "s": {"ms": 1e-3},
 }
-"""Units of nearly every description, so that most commands need no library of units: a test holds them against it."""
+"""Units of nearly every description, so that most commands do not load pint: a test compares them with it."""
 _KNOWN = {unit for si, others in _EVERYDAY.items() for unit in (si, *others)} - {"1"}
 
 
 @lru_cache(maxsize=512)
 def _factor(unit: str, si: str) -> float:
-    """Return what one ``unit`` is in ``si``; raise ValueError with the reason when it is none."""
+    """Return what one ``unit`` is in ``si``; raise ValueError with the reason if it is none."""
     if unit == si or (si in _DIMENSIONLESS and unit in _DIMENSIONLESS):
         return 1.0
     if si == "m/s^2" and unit in _GRAVITY:
@@ -171,14 +171,14 @@ def _factor_of_library(unit: str, si: str) -> float:
 def _angles(unit: Any) -> float:
     """Exponent of the angle in a unit: 1 for rad/s and rpm, 0 for Hz.
 
-    The library takes radians for plain numbers: it would read 60 rpm as 6.28 Hz, and a count as 1 rad.
+    pint treats radians as plain numbers: it would read 60 rpm as 6.28 Hz, and a count as 1 rad.
     """
     root = _registry().Quantity(1.0, unit).to_root_units().units
     return float(root._units.get("radian", 0.0))
 
 
 def _has_dimensions(unit: Any) -> bool:
-    """Whether a unit is more than a count or a share: mm/m is an angle without saying so, 1/s turns, % and bits not."""
+    """Whether a unit is more than a count or a share: mm/m may be an angle and 1/s a rotation; % and bits are not."""
     return any(_registry().Unit(name).dimensionality for name in unit._units)
 
 
@@ -186,7 +186,7 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
     """Return the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
 
     The unit is as the user writes it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity where ``si`` is
-    m/s^2 (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are read, too: ``m/s2``, ``Nm``,
+    m/s^2 (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are also read: ``m/s2``, ``Nm``,
     ``N.s/m``, ``U/min``. A DescriptionError at the place ``where`` refuses units that are unknown or measure something
     else.
 
@@ -225,7 +225,7 @@ def base_units(si: str) -> dict[str, int]:
 def as_number(value: object, si: str, *, where: str = "") -> float:
     """Return a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
 
-    A DescriptionError at the place ``where`` refuses all else.
+    Anything else raises a DescriptionError at the place ``where``.
 
     >>> import numpy as np
     >>> as_number(np.timedelta64(500, "ms"), "s"), as_number("500 ms", "s"), as_number(0.5, "s")
@@ -253,7 +253,7 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
 def to_si(value: object, si: str, *, where: str = "") -> float:
     """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 
-    Numbers of other libraries are read, too, and those that carry a unit (a quantity of Pint, a duration) by it.
+    Numbers of other libraries are also read, those with a unit (a quantity of Pint, a duration) by it.
     A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
     """
     if type(value) is float and -LARGEST <= value <= LARGEST:  # most are: descriptions made from others
@@ -296,9 +296,9 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
 
 
 LARGEST = 1e30
-"""Size in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
+"""Size in SI beyond any value of a vehicle; products of a few such values overflow."""
 _SMALLEST = 1e-100
-"""Size in texts below which their quotients are none."""
+"""Size in texts below which quotients overflow."""
 
 
 _MEANT = {
@@ -319,7 +319,7 @@ _MEANT = {
 
 
 def bare_si(number: float, si: str, *, where: str, most: float | None = None) -> float:
-    """Take a number that somebody wrote without its unit for one in ``si``, unless that cannot be meant.
+    """Read a number without a unit as one in ``si``, unless implausible.
 
     ``most`` is a closer bound than that of the unit; where the unit is written, any size is taken.
 
@@ -359,10 +359,10 @@ class Unit:
     above: float | None = None
     at_least: float | None = None
     at_most: float | None = None
-    meant: float | None = None  # larger ones are legal, and asked about
+    meant: float | None = None  # larger ones are legal, and questioned
 
     def mistaken_for(self, value: float) -> str:
-        """Unit in which a size (SI) that nothing of a suspension has was probably meant; empty where it may be right.
+        """Unit that was probably meant for a size (SI) beyond any suspension; empty for plausible sizes.
 
         >>> Unit("N/m").mistaken_for(22.73), Unit("m", meant=1.0).mistaken_for(0.01)
         ('N/mm', '')
@@ -392,13 +392,13 @@ class Unit:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and greatest size (SI), infinite where there is none; the least itself may be forbidden (``above``)."""
+        """Least and greatest size (SI), infinite without one; the least itself may be excluded (``above``)."""
         least = max((bound for bound in (self.above, self.at_least) if bound is not None), default=-math.inf)
         return least, math.inf if self.at_most is None else self.at_most
 
     @property
     def allowed(self) -> str:
-        """The limits in words, with their unit; empty where there are none."""
+        """The limits in words, with their unit; empty without limits."""
         text = self._range()
         return text if not text or self.si == "1" else f"{text} {self.si}"
 
@@ -424,7 +424,7 @@ class Unit:
 
 
 _ASKED = ("kg", "m/s", "N/m", "Pa")
-"""Units whose bounds hold for all that descriptions hold, not only for what a command line asks for."""
+"""Units whose bounds apply to all descriptions, not only to options of commands."""
 
 Length = Annotated[float, Unit("m")]
 Height = Annotated[float, Unit("m", meant=1.0)]

@@ -1,6 +1,6 @@
-"""Work that takes long once, such as compiling, is reported while it goes on: nobody should have to guess.
+"""Progress messages for slow work, such as compiling.
 
-Whoever shows progress listens (`heard_by`); where nobody does, the logger ``jounce`` warns, which Python prints on
+A face that shows progress listens (`heard_by`); otherwise the logger ``jounce`` warns, which Python prints on
 stderr unless it is reported otherwise: ``logging.getLogger("jounce").setLevel("ERROR")`` keeps it silent.
 """
 
@@ -15,10 +15,10 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
-LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s
+LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s: a log shall stay short, a display alive
 LOGGED_LATEST = 30.0
-"""How far apart (s) lines of a log may get: the longer it lasts, the fewer say so."""
-_LOOKS = 4  # of the teller, in the shorter of the two
+"""Longest interval (s) between log lines: it grows with the duration of the work."""
+_LOOKS = 4  # checks of the reporting thread within the shorter interval
 _LOG = logging.getLogger("jounce")
 _listeners: list[Callable[[str | None], None]] = []
 
@@ -28,7 +28,7 @@ class _Here(threading.local):
 
 
 _here = _Here()
-"""Whether this thread is in a block of :func:`told`; parts of it are not reported apart."""
+"""Blocks of :func:`told` in this thread; nested ones are not reported separately."""
 
 
 class _Wait(NamedTuple):
@@ -38,7 +38,7 @@ class _Wait(NamedTuple):
 
 
 class _Teller:
-    """The thread that tells of the wait that began last; it lives on between waits that follow each other closely.
+    """Thread that reports the most recent wait; it survives between waits in close succession.
 
     A thread for each would take longer to start than many a thing that is waited for.
     """
@@ -58,11 +58,11 @@ class _Teller:
             self._waits.append(wait)
             if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._tell, name="jounce waits", daemon=True)
-                with contextlib.suppress(RuntimeError):  # no thread is to be had: nothing is told
+                with contextlib.suppress(RuntimeError):  # no thread available: no report
                     self._thread.start()
 
     def end(self, wait: _Wait) -> None:
-        """End a wait: nothing is reported of it from here on."""
+        """End a wait and its reports."""
         with self._lock, contextlib.suppress(ValueError):  # begun before a fork
             self._waits.remove(wait)
 
@@ -95,14 +95,14 @@ if hasattr(os, "register_at_fork"):
 
 @contextmanager
 def told(what: str | Callable[[], str]) -> Iterator[None]:
-    """Tell what is being waited for, and for how long already, until it is done.
+    """Report the current work and its duration until it is done.
 
-    A function gives the words anew each time, such as how far the work has come; it is called from another thread.
+    A function returns the text for each report, such as the progress; it is called from another thread.
 
     >>> with told("compiling the model (once on this machine)"):
-    ...     pass   # ready at once: nothing was to be told
+    ...     pass   # done at once: nothing is reported
     """
-    if _here.waits:  # a part of what is told already
+    if _here.waits:  # part of reported work
         yield
         return
     listener = _listeners[-1] if _listeners else None
@@ -135,7 +135,7 @@ _watchers: list[Callable[[Mapping[str, Any]], None]] = []
 
 
 def reached(numbers: Callable[[], Mapping[str, Any]]) -> None:
-    """Tell how far a search has come, where somebody watches; only then its numbers are put together."""
+    """Report the progress of a search to a listener; the numbers are computed only for one."""
     for watcher in _watchers:
         watcher(numbers())
 

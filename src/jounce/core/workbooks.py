@@ -1,6 +1,6 @@
-"""Excel workbooks: texts stay texts, numbers are whole, and the same content makes the same bytes.
+"""Excel workbooks: texts stay texts, numbers keep all digits, and equal content gives equal bytes.
 
-What a file says of its size is not believed: it may tell billions of cells.
+The size declared in a file is not trusted: it may claim billions of cells.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from jounce.core.errors import JounceError
 from jounce.core.optional import require
 
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-"""Signs that no XML can hold, and so no cell and no picture."""
+"""Characters that XML, and so a cell or picture, cannot contain."""
 MOST_ROWS, MOST_COLUMNS, LONGEST_TEXT = 1_048_576, 16_384, 32_767
 """Rows and columns of a sheet, and characters of a cell: the limits of Excel."""
 
@@ -42,7 +42,7 @@ def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
 
 
 def wrapped(text: str) -> list[str]:
-    """Cut a text into pieces that a cell holds.
+    """Split a text into pieces that fit into a cell.
 
     >>> [len(piece) for piece in wrapped("x" * 40_000)]
     [32767, 7233]
@@ -51,7 +51,7 @@ def wrapped(text: str) -> list[str]:
 
 
 def saved(book: Any) -> bytes:
-    """Return a workbook as bytes, without the times at which it was made; places are relative to its own.
+    """Return a workbook as bytes, without creation times; paths are relative.
 
     All of it is made in memory: openpyxl itself writes sheets into files in ``TMPDIR``, does not notice some errors of
     a full disk there, and leaves them where the process is killed.

@@ -42,7 +42,7 @@ def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[
 
 
 def write_atomically(path: Path | str, content: bytes | str, *, force: bool = False) -> Path:
-    """Write a file through a temporary one and a rename, so that nobody ever sees half of it."""
+    """Write a file through a temporary one and a rename, so that it is never seen incomplete."""
     file = check_writable(path, force=force)
     with replacing(file, force=force) as temporary:
         temporary.write_bytes(content.encode() if isinstance(content, str) else content)
@@ -130,7 +130,7 @@ def _put(temporary: Path, file: Path) -> None:
 
 
 def temporary_beside(file: Path, *, most: int = 0o777) -> Path:
-    """Make an empty temporary file of this process beside a file; those that killed processes left there go.
+    """Make an empty temporary file of this process beside a file; those of killed processes are removed.
 
     The system itself applies the user's mask as it makes the file: to read the mask, it would have to be set, which
     other threads would see. The file is never open to more people than the one whose place it takes.
@@ -146,7 +146,7 @@ def temporary_beside(file: Path, *, most: int = 0o777) -> Path:
 
 
 def _mode_of(file: Path) -> int | None:
-    """Who may do what with a file; None where there is none."""
+    """Mode of a file; None if it does not exist."""
     try:
         return file.stat().st_mode & 0o777
     except OSError:
@@ -154,7 +154,7 @@ def _mode_of(file: Path) -> int | None:
 
 
 def _copy_mode(file: Path, made: Path, most: int = 0o777) -> None:
-    """Let a new file be open to those whom the file is open to whose place it takes, if there is one."""
+    """Copy the mode of the replaced file, if there is one."""
     mode = _mode_of(file)
     if mode is not None:
         with contextlib.suppress(OSError):  # a disk without modes
@@ -162,7 +162,7 @@ def _copy_mode(file: Path, made: Path, most: int = 0o777) -> None:
 
 
 def sweep_beside(file: Path) -> None:
-    """Remove what killed processes of this user left beside a file."""
+    """Remove temporary files of killed processes of this user beside a file."""
     _sweep(file.parent)
 
 
@@ -171,15 +171,15 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
 
     They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
     same names are moved out and the new ones in, whole each and never some of both; what else the folder holds stays.
-    Where this process is killed in between, the next one that writes there moves the old ones back, or the rest of the
+    If this process is killed in between, the next one that writes there moves the old ones back, or the rest of the
     new ones in.
 
     Parameters
     ----------
     folder : path
-        Where to.
+        Destination.
     contents : mapping of str to (bytes or str)
-        Content by name; a name may lie in folders of its own.
+        Content by name; a name may include folders.
     force : bool
         Overwrite existing files.
 
@@ -219,7 +219,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
                 _write_through(target)
                 _copy_mode(root / name, target)
-            built.mkdir(exist_ok=True)  # where there are no files
+            built.mkdir(exist_ok=True)  # also without files
             if is_there:
                 with holding(root):
                     _check_room(root, files, force=force)  # another process may have been here
@@ -232,7 +232,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
 
 
 def resolved(path: Path | str, *, home: bool = False) -> Path:
-    """Return a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
+    """Return a path in full, without links; with ``home`` its ``~`` is that of a user. Refuse invalid paths."""
     try:
         place = (Path(path).expanduser() if home else Path(path)).resolve()
         # Python 3.13 leaves it, older ones raise; a name that is too long is no link.
@@ -274,7 +274,7 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
 
 
 def _renamed(built: Path, root: Path) -> bool:
-    """Put a folder in its place; tell whether it was free, or another process has put one there meanwhile."""
+    """Move a folder to its place; return whether it was free, or taken by another process meanwhile."""
     try:
         built.rename(root)
     except OSError:
@@ -285,13 +285,13 @@ def _renamed(built: Path, root: Path) -> bool:
 
 
 _NEW, _READY, _OLD = "jounce-new", "jounce-ready", "jounce-old"
-"""Folders in the one beside: of new files, the same once all old files are moved out, and of the old ones."""
+"""Subfolders of the one beside: new files, new files once all old ones are moved out, and old files."""
 
 
 def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
     """Move files of a folder out, and then new ones in, so that they are never a mixture; all of them, or none.
 
-    Wherever this is cut off, :func:`_settle` goes on: with the new files once they are called ready, else with the old.
+    After an interrupt :func:`_settle` continues: with the new files once they are ready, else with the old.
     """
     try:
         _move([name for name in names if os.path.lexists(root / name)], root, aside / _OLD)
@@ -312,7 +312,7 @@ def _move(names: Iterable[str], source: Path, target: Path) -> None:
 
 
 def _settle(aside: Path) -> bool:
-    """Finish an exchange that was cut off, or undo it; tell whether every file is in its place.
+    """Finish an interrupted exchange, or undo it; return whether every file is in its place.
 
     A folder that came with an archive may hold links: nothing is moved out of another folder, or into one.
     """
@@ -323,7 +323,7 @@ def _settle(aside: Path) -> bool:
     for file, target in zip(files, targets, strict=True):
         with contextlib.suppress(OSError, OutputError):
             is_inside = resolved(target.parent).is_relative_to(root)
-            if is_inside and not os.path.lexists(target):  # somebody may have written there since
+            if is_inside and not os.path.lexists(target):  # a file may have been written there since
                 target.parent.mkdir(parents=True, exist_ok=True)
                 file.rename(target)
     return all(map(os.path.lexists, targets))
@@ -337,7 +337,7 @@ def _is_folder(path: Path) -> bool:
 def _remove(aside: Path) -> None:
     """Remove a folder beside others, unless it holds the only copy of a file."""
     if _settle(aside):
-        shutil.rmtree(aside / _OLD, ignore_errors=True)  # first: what is ready counts until then
+        shutil.rmtree(aside / _OLD, ignore_errors=True)  # first: new files are valid until then
         shutil.rmtree(aside, ignore_errors=True)
 
 
@@ -355,14 +355,14 @@ def _told(where: Path, what: str) -> Iterator[None]:
 
 
 def is_empty(folder: Path) -> bool:
-    """Whether a folder holds nothing, once what killed processes left there is gone."""
+    """Whether a folder is empty, after removing files of killed processes."""
     _sweep(folder)
     return not any(folder.iterdir())
 
 
 @contextmanager
 def working_folder() -> Iterator[Path]:
-    """Return a folder for this process alone, which goes when the block ends; what killed processes left goes, too."""
+    """Return a folder for this process alone, removed when the block ends, as are those of killed processes."""
     folder = lasting_folder()
     try:
         yield folder
@@ -399,7 +399,7 @@ def _own_prefix() -> str:
 
 @cache
 def _machine() -> str:
-    """What numbers of processes are reported apart by: the machine and, on Linux, the container."""
+    """Scope of process numbers: the machine and, on Linux, the container."""
     inside = 0
     with contextlib.suppress(OSError):
         inside = Path("/proc/self/ns/pid").stat().st_ino
@@ -408,7 +408,7 @@ def _machine() -> str:
 
 @cache
 def _sweep(folder: Path) -> None:
-    """Remove what killed processes of this user left in a folder: of this machine at once, of others after a day."""
+    """Remove temporary files of killed processes of this user: of this machine at once, of others after a day."""
     for left in folder.glob(".jounce-*-*-*"):
         # Names that others gave, files that are gone, folders in each other that no process of ours makes.
         with contextlib.suppress(OSError, ValueError, OverflowError, RecursionError):
