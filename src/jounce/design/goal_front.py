@@ -1,9 +1,6 @@
 """Several metrics that compete: designs of which none is better in every one of them, from the best in one to others.
 
-The corners of the front are the least of each metric. Between them the metric that is relatively worst is made as good
-as it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures,
-then between those designs that are still farthest apart: this finds the hollow parts of a front, too. Exact slopes take
-each search there in tens of designs.
+Searches aim along mixtures that are spread evenly, then between those designs that are still farthest apart.
 """
 
 from __future__ import annotations
@@ -11,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -22,6 +19,7 @@ from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.core.waiting import told
 from jounce.design.cases import Case
+from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.mixtures import MOST_GOALS, achieved, across_gap, mixtures, undominated
 from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven
@@ -33,9 +31,6 @@ from jounce.variants.designs import Spread
 
 _FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2
 _HELD = 1e-6  # share by which the least of one metric may be left while the others are made less
-_SHARE = 1e-3  # of all metrics beside the one that is relatively worst: what is worse in one for nothing is not best
-_ROUNDS, _PRECISION, _AGAIN = 200, 1e-10, 3
-_STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
 _KEPT = 1e-6
 _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
 
@@ -196,17 +191,7 @@ def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, A
     reached = np.array([race.goals_at(values) for values in tried])
     best, span = reached.min(axis=0), np.ptp(reached, axis=0)
     span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
-    settled = True
-    for mixture in _aims(race, tried, best, span, points):
-        aim = _Aim(best, span, mixture)
-        near = sorted(tried, key=lambda values: achieved(race.goals_at(values), *aim))[:2]
-        ended = [race.run(values, aim) for values in near]
-        values, rested = min(
-            ended, key=lambda one: (max(violation_of(problem, one[0]), _KEPT), achieved(race.goals_at(one[0]), *aim))
-        )
-        tried.append(values)
-        settled &= rested
-    return settled, span
+    return race.between(tried, best, span, _aims(race, tried, best, span, points)), span
 
 
 def _aims(race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
@@ -248,16 +233,10 @@ def _corner(problem: DesignProblem, name: str) -> Array:
     return second.values if second.violation <= _KEPT else first.values
 
 
-class _Aim(NamedTuple):
-    """Where a search between the corners goes: least values of the goals, their ranges, and the mixture of them."""
+class _GoalSearch(FrontSearch):
+    """Goals of a task and its limits in scaled numbers, with their slopes; its designs are values in SI."""
 
-    best: Array
-    span: Array
-    mixture: Array
-
-
-class _GoalSearch:
-    """Goals of a task and its limits in scaled numbers, with their slopes."""
+    rounds, tries = 200, 3
 
     def __init__(self, problem: DesignProblem, names: Sequence[str]) -> None:
         self.problem, self.names, self.scale = problem, names, Scale(problem)
@@ -266,7 +245,7 @@ class _GoalSearch:
         """Distance of each metric from zero (SI)."""
         return np.array([abs(self.problem.whole(name, values)[0]) for name in self.names])
 
-    def _rows(self, u: Array) -> tuple[Array, Array, list[int]]:
+    def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
         """Goals, one row each, or one for each channel where the worst counts; slopes; to which goal each belongs."""
         values, chain = self.scale.values(u), self.scale.slopes(u)
         found, slopes, of = [], [], []
@@ -282,60 +261,34 @@ class _GoalSearch:
                 of.append(k)
         return np.array(found), np.array(slopes), of
 
-    def _limits(self, u: Array) -> tuple[Array, Array]:
+    def room(self, u: Array) -> tuple[Array, Array]:
+        """Margins of the limits, and their slopes."""
         margins = self.problem.margins(self.scale.values(u))
         chain = self.scale.slopes(u)
         table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(len(margins), len(u))
         return np.array([margin for _, _, _, margin, _ in margins]), table
 
-    def run(self, begin: Array, aim: _Aim) -> tuple[Array, bool]:
+    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """How far limits are broken, and how bad the relatively worst metric is."""
+        return max(violation_of(self.problem, x), _KEPT), achieved(self.goals_at(x), *aim)
+
+    def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
         """Make the relatively worst goal as good as it can be from some values (SI); tell whether it came to rest."""
-        from scipy.optimize import minimize
+        size = len(x)
+        u, is_at_rest = self.towards(self.scale.scaled(x), self.goals_at(x), aim, np.zeros(size), np.ones(size))
+        values = self.scale.values(u)
+        return self._settled(values, aim) if self.problem.has_kinks else (values, is_at_rest)
 
-        u, size = self.scale.scaled(begin), len(begin)
-        reach = achieved(self.goals_at(begin), *aim)
-
-        def least(z: Array) -> tuple[float, Array]:
-            goals, slopes, of = self._rows(z[:size])
-            span = aim.span[of]
-            shares = (
-                _SHARE * float(np.sum((goals - aim.best[of]) / span)),
-                _SHARE * (slopes / span[:, None]).sum(axis=0),
-            )
-            return float(z[size]) + shares[0], np.append(shares[1], 1.0)
-
-        def room(z: Array) -> tuple[Array, Array]:
-            goals, slopes, of = self._rows(z[:size])
-            width = (aim.span * aim.mixture)[of]
-            firm, table = self._limits(z[:size])
-            rows = np.hstack([-slopes / width[:, None], np.ones((len(goals), 1))])
-            found = np.concatenate([z[size] - (goals - aim.best[of]) / width, firm])
-            return found, np.vstack([rows, np.hstack([table, np.zeros((len(firm), 1))])])
-
-        z, rested = np.append(u, reach), False
-        for _ in range(_AGAIN):  # SLSQP forgets its curvature at a new start, which helps where it stalled
-            found = minimize(
-                least, z, jac=True, method="SLSQP", bounds=[*[(0.0, 1.0)] * size, (None, None)],
-                constraints={"type": "ineq", "fun": lambda z: room(z)[0], "jac": lambda z: room(z)[1]},
-                options={"ftol": _PRECISION, "maxiter": _ROUNDS},
-            )  # fmt: skip
-            moved = float(np.max(np.abs(found.x - z)))
-            z, rested = np.asarray(found.x), bool(found.success) or moved < _STILL
-            if rested:
-                break
-        values = self.scale.values(np.clip(z[:size], 0.0, 1.0))
-        return self._settled(values, aim) if self.problem.has_kinks else (values, rested)
-
-    def _settled(self, values: Array, aim: _Aim) -> tuple[Array, bool]:
+    def _settled(self, values: Array, aim: Aim) -> tuple[Array, bool]:
         """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
         from scipy.optimize import minimize
 
         def worst(u: Array) -> float:
             goals = self.goals_at(self.scale.values(u))
-            return achieved(goals, *aim) + _SHARE * float(np.sum((goals - aim.best) / aim.span))
+            return achieved(goals, *aim) + SHARE * float(np.sum((goals - aim.best) / aim.span))
 
         def kept(u: Array) -> Array:
-            return np.concatenate([self._limits(u)[0], u, 1.0 - u])
+            return np.concatenate([self.room(u)[0], u, 1.0 - u])
 
         begin = self.scale.scaled(values)
         result = minimize(

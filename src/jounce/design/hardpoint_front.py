@@ -1,9 +1,4 @@
-"""Competing goals: designs of hardpoints of which none is better in every goal, from the best of one to that of others.
-
-The corners of the front are the least of each goal. Between them the goal that is relatively worst is made as good as
-it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures:
-this finds the hollow parts of a front, too. Exact slopes take each search there in tens of designs.
-"""
+"""Designs of hardpoints of which none is better in every goal than another, from the best of one goal to others."""
 
 from __future__ import annotations
 
@@ -18,6 +13,7 @@ from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
+from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.hardpoint_search import HardpointSearch, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
 from jounce.design.kinematics import KinematicTask, moved_rigs, read_task, values_before
@@ -28,8 +24,7 @@ from jounce.parts import Corner, Rig
 
 _FEWEST, _MOST = 3, 500
 _SOFT = 1e-3  # tolerances below which a goal is as good as reached
-_SHARE = 1e-3  # of the other goals in each: a design that is worse in one for nothing is none
-_ROUNDS, _PRECISION, _FORBIDDEN = 150, 1e-10, 1e6
+_PRECISION, _FORBIDDEN = 1e-10, 1e6
 _INSIDE = 0.95  # tolerances
 _HELD = 1.0 + 1e-6
 
@@ -165,11 +160,7 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
     best, worst = reached.min(axis=0), reached.max(axis=0)
     span = np.maximum(worst - best, _SOFT)
     tried = list(corners)
-    for mixture in mixtures(len(goals), points):
-        aim = best, span, mixture
-        near = sorted(tried, key=lambda x: race.missed(x, aim))[:2]
-        ended = [race.run(x, np.full(len(goals), _SHARE), aim) for x in near]
-        tried.append(min(ended, key=lambda x: race.missed(x, aim)))
+    race.between(tried, best, span, mixtures(len(goals), points))
     sound = [x for x in tried if race.holds(x)]
     kept = undominated(np.array([race.goals_at(x) for x in sound]), span)
     designs = [design for design in (_design(race, sound[i]) for i in kept) if design is not None]
@@ -208,8 +199,10 @@ def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[in
     return {name: tuple(members) for name, members in goals.items()}, held
 
 
-class _HardpointFrontSearch:
-    """Goals and constraints of a search, with their slopes."""
+class _HardpointFrontSearch(FrontSearch):
+    """Goals and constraints of a search, with their slopes; its designs are scaled numbers."""
+
+    rounds = 150
 
     def __init__(self, search: HardpointSearch, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]) -> None:
         self.search, self.goals = search, goals
@@ -259,57 +252,43 @@ class _HardpointFrontSearch:
         goals, _, room, _ = self.at(x)
         return bool(np.all(goals < _FORBIDDEN) and np.all(room >= _INSIDE - _HELD))
 
-    def missed(self, x: Array, aim: tuple[Array, Array, Array]) -> tuple[bool, float]:
-        """Whether constraints are broken, and how bad the relatively worst goal is: the least is best."""
-        return not self.holds(x), achieved(self.goals_at(x), *aim)
+    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """Whether constraints are broken, and how bad the relatively worst goal is."""
+        return float(not self.holds(x)), achieved(self.goals_at(x), *aim)
 
-    def run(self, x: Array, weights: Array, mixture: tuple[Array, Array, Array] | None = None) -> Array:
-        """Least weighted sum of the goals from x; with a mixture, first of the goal that is relatively worst there."""
+    def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
+        """Goals and their slopes."""
+        goals, slopes, _, _ = self.at(u)
+        return goals, slopes, range(len(goals))
+
+    def room(self, u: Array) -> tuple[Array, Array]:
+        """Room of constraints and its slopes."""
+        return self.at(u)[2:]
+
+    def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
+        """Make the goal that is relatively worst as good as it can be."""
+        begin = np.clip(x, self.search.lower, self.search.upper)
+        return self.towards(begin, self.goals_at(begin), aim, self.search.lower, self.search.upper)
+
+    def least(self, x: Array, weights: Array) -> Array:
+        """Least weighted sum of the goals from x."""
         from scipy.optimize import minimize
 
-        search, size = self.search, len(x)
-        extra = int(mixture is not None)
-        best, span, shares = (
-            mixture if mixture is not None else (np.zeros(len(weights)), np.ones(len(weights)), weights)
-        )
-        begin = np.clip(x, search.lower, search.upper)
-        reach = achieved(self.goals_at(begin), best, span, shares) if extra else 0.0
-
-        def least(z: Array) -> float:
-            return float(weights @ ((self.at(z[:size])[0] - best) / span) + z[size:].sum())
-
-        def slope(z: Array) -> Array:
-            return np.concatenate([(weights / span) @ self.at(z[:size])[1], np.ones(extra)])
-
-        def room(z: Array) -> Array:
-            goals, _, firm, _ = self.at(z[:size])
-            return np.concatenate([z[size:].sum() - (goals - best) / (span * shares), firm] if extra else [firm])
-
-        def room_slopes(z: Array) -> Array:
-            _, slopes, _, firm = self.at(z[:size])
-            rows = np.hstack([firm, np.zeros((len(firm), extra))])
-            if not extra:
-                return rows
-            return np.vstack([np.hstack([-slopes / (span * shares)[:, None], np.ones((len(slopes), 1))]), rows])
-
-        constraints = {"type": "ineq", "fun": room, "jac": room_slopes} if extra or len(self._firm) else ()
-        found = minimize(
-            least,
-            np.concatenate([begin, np.full(extra, reach)]),
-            jac=slope,
-            bounds=[*zip(search.lower, search.upper, strict=True), *[(None, None)] * extra],
-            constraints=constraints,
-            method="SLSQP",
-            options={"maxiter": _ROUNDS, "ftol": _PRECISION},
-        )
-        return np.asarray(np.clip(found.x[:size], search.lower, search.upper), dtype=float)
+        lower, upper = self.search.lower, self.search.upper
+        firm = {"type": "ineq", "fun": lambda x: self.at(x)[2], "jac": lambda x: self.at(x)[3]}
+        result = minimize(
+            lambda x: float(weights @ self.at(x)[0]), np.clip(x, lower, upper), jac=lambda x: weights @ self.at(x)[1],
+            bounds=[*zip(lower, upper, strict=True)], constraints=firm if len(self._firm) else (), method="SLSQP",
+            options={"maxiter": self.rounds, "ftol": _PRECISION},
+        )  # fmt: skip
+        return np.asarray(np.clip(result.x, lower, upper), dtype=float)
 
 
 def _corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) -> Array:
     """The least of one goal, from several places."""
-    weights = np.full(len(race.goals), _SHARE)
+    weights = np.full(len(race.goals), SHARE)
     weights[i] = 1.0
-    ended = [race.run(x, weights) for x in places(race.search, starts, seed)]
+    ended = [race.least(x, weights) for x in places(race.search, starts, seed)]
     good = [x for x in ended if race.holds(x)]
     if not good:
         raise DescriptionError(

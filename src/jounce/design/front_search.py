@@ -1,0 +1,96 @@
+"""The search between competing goals, which all fronts share.
+
+The corners of a front are the least of each goal. Between them the goal that is relatively worst is made as good as
+it can be (the achievement function of the reference-point method), along mixtures of the goals: this finds the hollow
+parts of a front, too. Exact slopes take each search there in tens of designs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.design.mixtures import achieved
+
+SHARE = 1e-3  # of all goals beside the one that is relatively worst: what is worse in one for nothing is not best
+_PRECISION = 1e-10
+_STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
+
+
+class Aim(NamedTuple):
+    """Where a search between the corners goes: least values of the goals, their ranges, and the mixture of them."""
+
+    best: Array
+    span: Array
+    mixture: Array
+
+
+class FrontSearch:
+    """Goals and constraints of designs, with their slopes along scaled numbers."""
+
+    rounds: ClassVar[int]  # steps of one search
+    tries: ClassVar[int] = 1  # starts of it, where it has not come to rest
+
+    def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
+        """Search towards an aim from a design; tell whether that came to rest."""
+        raise NotImplementedError
+
+    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """How far constraints are broken, and how bad the relatively worst goal is: the least is best."""
+        raise NotImplementedError
+
+    def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
+        """Goals at scaled numbers, one or several rows each; their slopes; to which goal each row belongs."""
+        raise NotImplementedError
+
+    def room(self, u: Array) -> tuple[Array, Array]:
+        """What constraints leave at scaled numbers, not below zero where they hold; and its slopes."""
+        raise NotImplementedError
+
+    def between(self, tried: list[Array], best: Array, span: Array, mixtures: Iterable[Array]) -> bool:
+        """Add a design to those ``tried`` for each mixture of goals; tell whether all searches came to rest."""
+        is_settled = True
+        for mixture in mixtures:
+            aim = Aim(best, span, mixture)
+            begins = sorted(tried, key=lambda x: self.missed(x, aim))[:2]
+            x, is_at_rest = min((self.run(x, aim) for x in begins), key=lambda end: self.missed(end[0], aim))
+            tried.append(x)
+            is_settled &= is_at_rest
+        return is_settled
+
+    def towards(self, begin: Array, goals: Array, aim: Aim, lower: Array, upper: Array) -> tuple[Array, bool]:
+        """Make the relatively worst goal as good as it can be from scaled numbers, at which the ``goals`` are known."""
+        from scipy.optimize import minimize
+
+        size = len(begin)
+
+        def least(z: Array) -> tuple[float, Array]:
+            goals, slopes, of = self.rows(z[:size])
+            span = aim.span[of]
+            beside = SHARE * float(np.sum((goals - aim.best[of]) / span))
+            return float(z[size]) + beside, np.append(SHARE * (slopes / span[:, None]).sum(axis=0), 1.0)
+
+        def room(z: Array) -> tuple[Array, Array]:
+            goals, slopes, of = self.rows(z[:size])
+            width = (aim.span * aim.mixture)[of]
+            firm, table = self.room(z[:size])
+            rows = np.hstack([-slopes / width[:, None], np.ones((len(goals), 1))])
+            left = np.concatenate([z[size] - (goals - aim.best[of]) / width, firm])
+            return left, np.vstack([rows, np.hstack([table, np.zeros((len(firm), 1))])])
+
+        z, is_at_rest = np.append(begin, achieved(goals, *aim)), False
+        for _ in range(self.tries):  # SLSQP forgets its curvature at a new start, which helps where it stalled
+            result = minimize(
+                least, z, jac=True, method="SLSQP",
+                bounds=[*zip(lower, upper, strict=True), (None, None)],
+                constraints={"type": "ineq", "fun": lambda z: room(z)[0], "jac": lambda z: room(z)[1]},
+                options={"ftol": _PRECISION, "maxiter": self.rounds},
+            )  # fmt: skip
+            moved = float(np.max(np.abs(result.x - z)))
+            z, is_at_rest = np.asarray(result.x), bool(result.success) or moved < _STILL
+            if is_at_rest:
+                break
+        return np.clip(z[:size], lower, upper), is_at_rest
