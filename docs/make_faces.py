@@ -60,6 +60,7 @@ from jounce.roads import ROADS, Road
 from jounce.roads.loading import SCHEMA
 from jounce.roads.trial import Trial
 from jounce.variants.study import SweepStudy
+from jounce.web import command as _workbench  # noqa: F401 - it adds its command
 from jounce.web.forms import Form, Problem
 from jounce.web.project import Entry, Text, Version
 

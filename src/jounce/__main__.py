@@ -32,6 +32,7 @@ def _run() -> int:
     if not any(word.startswith("--cluster") for word in sys.argv):
         sys.modules.setdefault("dask", None)  # type: ignore[arg-type]  # xarray loads it wherever it is installed: 0.3 s
     from jounce.cli import main
+    from jounce.web import command  # noqa: F401 - it adds the command that opens the workbench
 
     handle_interrupts(interrupt)
     code = main()

@@ -31,6 +31,7 @@ import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.reply import Reply, console
+from jounce.web import command as _workbench  # noqa: F401 - it adds its command
 
 HERE, SOURCE = Path(__file__).parent, Path(jn.__file__).parent
 TOLERANCE = 1e-4  # of the size of a number

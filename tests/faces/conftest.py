@@ -15,6 +15,7 @@ import pytest
 
 import jounce as jn
 from jounce.cli import main
+from jounce.web import command as _workbench  # noqa: F401 - it adds its command
 
 Cli = Callable[..., "Outcome"]
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")

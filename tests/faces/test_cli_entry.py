@@ -14,7 +14,7 @@ from typing import Any, get_type_hints
 import pytest
 from typer.main import get_command
 
-from jounce.cli import entry, main, simulate
+from jounce.cli import entry, main
 from jounce.cli.reply import PIPE_CLOSED
 from jounce.parts import library
 
@@ -68,7 +68,7 @@ def test_three_options_write_files() -> None:
         yield from (one.opts[0] for one in command.params if "Path" in str(kinds.get(one.name)))
 
     written = {name for name in files(get_command(entry.application())) if name.startswith("--")}
-    read = {"--limits", "--excitation", "--database", "--poses"}
+    read = {"--limits", "--excitation", "--database"}
     assert written == {"--out", "--figure", "--report"} | read
 
 
@@ -110,7 +110,7 @@ def test_bad_input_as_a_process(tmp_path: Path) -> None:
         (("simulatte",), "Did you mean 'simulate'"),
         (("fit", "stifness"), "Did you mean 'stiffness'?"),
         (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),
-        (("simulate",), "Missing argument 'RIG': a rig file, or a name of `jounce library`."),
+        (("simulate",), "Missing argument 'RIG': a vehicle or rig file, or a name of `jounce library`."),
         (("campaign", "run", "campaign.toml"), "Missing option '--out': folder for report"),
         (("fit", "stiffness", "a.csv", "--degree", "two"), "--degree"),
     ],
@@ -215,7 +215,7 @@ def test_file_that_cannot_be_written_is_explained(cli, tmp_path: Path, monkeypat
     def full(*words: object, **options: object) -> None:
         raise OSError(28, "No space left on device", "run.nc")
 
-    monkeypatch.setattr(simulate, "trial_of", full)
+    monkeypatch.setattr("jounce.roads.options.chosen_trial", full)
     outcome = cli("simulate", "kart-quarter-car")
     assert outcome.exit_code == 2
     assert "run.nc: No space left on device" in outcome.err
@@ -228,7 +228,7 @@ def test_json_is_alone_on_stdout(cli, monkeypatch: pytest.MonkeyPatch) -> None:
         print("chatter")  # noqa: T201
         return {}
 
-    monkeypatch.setattr("jounce.simulation.equilibrium", chatter)
+    monkeypatch.setattr("jounce.ride.modal.equilibrium", chatter)
     outcome = cli("modes", "kart-quarter-car", "--json")
     assert outcome.json["equilibrium"] == {}
     assert "chatter" in outcome.err

@@ -24,9 +24,9 @@ from jounce.cli import (
     fit,
     inspection,
     pictures,
-    serve,
     study,
 )
+from jounce.cli.added import ADDED
 from jounce.cli.derived import derived
 from jounce.cli.everywhere import as_usual, completed, open_pages
 from jounce.cli.options import AsJson
@@ -101,7 +101,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "draw": pictures.draw,
             "animate": pictures.animate,
         },
-        "Workbench and shell": {"serve": serve.serve, "completion": completion, "version": version},
+        "Workbench and shell": {**ADDED, "completion": completion, "version": version},
     }
 
 

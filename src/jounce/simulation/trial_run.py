@@ -94,7 +94,7 @@ def run_trial(
     trial: AnyTrial,
     *,
     output_step: Annotated[
-        float, Number("Time step of the output.", "TIME", "s", is_positive=True, most=LONGEST_STEP)
+        float, Number("Time step of the output.", "STEP", "s", is_positive=True, most=LONGEST_STEP)
     ] = 1e-3,
     tolerance: Annotated[float, Number("Relative error of displacements.", "TOLERANCE", "1", is_positive=True)] = 1e-5,
     method: Annotated[Method, Mark("Integration method: auto, explicit, or implicit (stiff rigs).", "METHOD")] = "auto",

@@ -6,6 +6,6 @@ scripts may use, too, and that calls the functions and commands which everybody 
 
 from __future__ import annotations
 
-from jounce.web.serving import serve
+import lazy_loader
 
-__all__ = ["serve"]
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, submod_attrs={"serving": ["serve"]})

@@ -165,6 +165,7 @@ def parameters(command: Any, name: tuple[str, ...] = ()) -> Iterator[tuple[str, 
 def commands() -> dict[str, Any]:
     """All commands, from the command line itself, with the options that each of them has."""
     from jounce.cli.entry import _command
+    from jounce.web import command as _workbench  # noqa: F401 - it adds its command
 
     return dict(parameters(_command()))
 

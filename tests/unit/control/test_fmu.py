@@ -418,7 +418,6 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
         "[trial]\nspeed = '2 m/s'\nduration = '0.1 s'\nroad = { kind = 'flat' }\n"
         "[vary]\n'sprung.mass' = ['30 kg', '40 kg']\n[design]\nkind = 'latin-hypercube'\ncount = 2\nseed = 1\n"
     )
-    monkeypatch.setattr("jounce.cli.sweep._write", lambda *_: ())  # no pictures
     for words, runs_here in (([], False), (["--trust"], True)):
         assert main(["sweep", str(study), "--out", str(tmp_path / f"swept{len(words)}"), *words]) == 0
         assert bool(asked) == runs_here

@@ -1,18 +1,19 @@
-"""``jounce serve``: the workbench in the browser."""
+"""``jounce serve``: the workbench in the browser. It stands above the commands, which it runs, and adds its own."""
 
 from __future__ import annotations
 
 import json
 import sys
-from importlib import import_module
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TextIO
 
 import typer
 
+from jounce.cli.added import add_command
 from jounce.cli.reply import Reply
 
 
+@add_command
 def serve(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="The project: a folder of rigs, roads and records.")],
     port: Annotated[int, typer.Option(help="Port on 127.0.0.1; 0 takes the folder's own, or else a free one.")] = 0,
@@ -28,14 +29,21 @@ def serve(
 
     def ready(url: str, token: str) -> None:
         text = json.dumps({"url": url, "token": token}) if as_json else f"The workbench of {folder} is open: {url}"
-        print(text, file=sys.__stdout__, flush=True)  # where answers go, which come at the end of other commands
+        _write(sys.__stdout__, text)  # where answers go, which come at the end of other commands
         if not as_json:
-            print("Ctrl-C ends it.", file=sys.stderr, flush=True)
+            _write(sys.stderr, "Ctrl-C ends it.")
         if not no_open:
             import webbrowser
 
             webbrowser.open(url)
 
-    # By its name: the workbench stands above the commands, which it runs for the page.
-    import_module("jounce.web").serve(folder, port=port, ready=ready)
+    from jounce.web.serving import serve as open_workbench
+
+    open_workbench(folder, port=port, ready=ready)
     return Reply({}, lambda _: None)
+
+
+def _write(stream: TextIO | None, text: str) -> None:
+    if stream is not None:
+        stream.write(f"{text}\n")
+        stream.flush()
