@@ -1,4 +1,4 @@
-"""The bench's drive: from inverter to belt, what the photo-sensor counts, and what the belt asks of the motor."""
+"""The bench's drive: from inverter to belt, pulses of the photo-sensor, and load of the motor."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ class BeltSpeed:
     ideal_speed : float
         Belt speed without slip between motor and belt, the motor at its rated slip [m/s].
     sensor_speed : float
-        What a photo-sensor on the cylinder reports [m/s].
+        Speed by a photo-sensor on the cylinder [m/s].
     speed : float
         Belt speed [m/s].
     recurrence_time : float
@@ -258,10 +258,10 @@ Limit = Literal["supply frequency", "torque", "cooling"]
 
 
 class BeltLoad(Description):
-    """What resists the belt.
+    """Resistance of the belt.
 
     Required pull = rolling_resistance * wheel_load + bed_friction * bed_load + bending_force + drag * speed
-    + inertia * acceleration / radius^2. Nothing of it is published: every value is *estimated* (``wheel_load`` is
+    + inertia * acceleration / radius^2. No value is published: all are *estimated* (``wheel_load`` is
     the weight of 16 kg sprung and an estimated 5 kg unsprung mass; ``bed_load`` presses the belt on its metal support
     and equals the wheel load when not given).
 
@@ -303,7 +303,7 @@ class BeltLoad(Description):
 
 @dataclass(frozen=True)
 class DriveMargin:
-    """What the belt asks of the motor at one speed, and what the motor has.
+    """Required and available torque and power of the motor at one belt speed.
 
     Attributes
     ----------
@@ -399,14 +399,14 @@ def _overload(margin: float, lasting: float, speed: float, frequency: float, dri
 
 @dataclass(frozen=True)
 class AttainableSpeed:
-    """How fast the belt can run.
+    """Attainable speed of the belt.
 
     Attributes
     ----------
     speed : float
-        Highest belt speed the motor can hold for as long as one likes [m/s]; 0 when there is none.
+        Highest continuous belt speed of the motor [m/s]; 0 if there is none.
     limited_by : {"supply frequency", "torque", "cooling"}
-        What stops it there.
+        Limiting factor.
     short_time_speed : float
         Highest belt speed within the rated torque, heating disregarded [m/s].
     lowest_continuous_speed : float
@@ -414,7 +414,7 @@ class AttainableSpeed:
     implied_force : float or None
         Pull that would explain an observed ceiling [N].
     findings : tuple of Finding
-        What an observed ceiling means, estimated values used.
+        Explanation of an observed ceiling, estimated values used.
     """
 
     speed: float
@@ -428,10 +428,10 @@ class AttainableSpeed:
 def attainable_speed(
     drive: BenchDrive, load: BeltLoad | None = None, *, observed_ceiling: float | None = None
 ) -> AttainableSpeed:
-    """Find the highest belt speed and what limits it; without a ``load`` all that resists the belt is estimated.
+    """Find the highest belt speed and what limits it; without a ``load`` the resistance is estimated.
 
     With ``observed_ceiling``, a speed (m/s) that was not exceeded in practice, e.g. 3.87 on the paper's bench, the
-    result tells what pull would explain it.
+    result has the pull that would explain it.
 
     Examples
     --------
@@ -478,7 +478,7 @@ def _implied(drive: BenchDrive, load: BeltLoad, ceiling: float) -> tuple[float, 
     return there.continuous_force, text
 
 
-PUBLISHED_CEILING = 3.87
+PUBLISHED_CEILING = 3.87  # m/s
 """Belt speed (m/s) at which the published bench stopped."""
 
 
@@ -548,7 +548,7 @@ def find_belt_speed(
     inverter_frequency : float or str, optional
         Frequency set at the inverter, Hz.
     speed : float or str, optional
-        Instead of it the belt speed to reach, m/s.
+        Belt speed to reach, m/s, instead of the frequency.
     pulses : int, optional
         Pulses of the photo-sensor on the cylinder, counted for ``duration``.
     duration : float or str, optional
@@ -566,7 +566,7 @@ def find_belt_speed(
     Raises
     ------
     DescriptionError
-        Where nothing gives a speed, or pulses or their time are missing.
+        If no input determines a speed, or pulses or their time are missing.
     FitError
         For numbers that are not positive.
 
@@ -604,12 +604,12 @@ def find_belt_speed(
 
 @dataclass(frozen=True)
 class DriveAssessment(Plain):
-    """What the belt asks of the motor at a speed, and how fast it can run.
+    """Load of the motor at a belt speed, and the attainable speed.
 
     Attributes
     ----------
     margin : DriveMargin or None
-        At the speed that was asked for.
+        At the requested speed.
     attainable : AttainableSpeed
         Highest belt speed.
     """
@@ -660,7 +660,7 @@ def assess_drive(
     drive : BenchDrive
         The bench.
     load : BeltLoad
-        What resists the belt.
+        Resistance of the belt.
     speed : float or str, optional
         Belt speed to assess, m/s.
     observed_ceiling : float or str, optional

@@ -1,4 +1,4 @@
-"""Values that no source gives: marked in the description, reported wherever they are used."""
+"""Estimated values without a source: marked in the description and reported wherever they are used."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from jounce.core.findings import Finding
 
 
 def estimated(default: Any, why: str) -> Any:
-    """Make a field default that is an estimate; ``why`` says what it rests on."""
+    """Make a field default that is an estimate; ``why`` is its basis."""
     return Field(default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True})
 
 

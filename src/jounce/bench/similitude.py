@@ -35,11 +35,11 @@ def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> fl
 
 
 class Similitude(Description):
-    """Full-size suspension and the prototype built after it.
+    """Full-size suspension and its scaled prototype.
 
     Published: the quarter vehicle's sprung mass, the two length factors, the density of cast iron, the mass as built,
     the tyre stiffness and the spring rate (here with the strut at 26 degrees, rigidly tied at the wheel: 18 362 N/m).
-    *Estimated*, because no source gives them: ``reference_density`` 7850 kg/m^3 (steel) and
+    *Estimated*, without a source: ``reference_density`` 7850 kg/m^3 (steel) and
     ``reference_frequency`` 1.5 Hz (body bounce of a passenger car).
 
     Attributes
@@ -82,8 +82,8 @@ class Similitude(Description):
 class ScaleFactor:
     """One quantity under similitude with the same gravity (Froude).
 
-    ``factor`` is the full-size value over the prototype's that similitude asks for (1); ``prototype`` the value as
-    built, ``full_size`` what it stands for, both in the SI ``unit`` and None where only the factor is known.
+    ``factor`` is the required ratio of the full-size value to the prototype's (1); ``prototype`` the value as
+    built, ``full_size`` the value it represents, both in the SI ``unit`` and None if only the factor is known.
     """
 
     name: str
@@ -95,7 +95,7 @@ class ScaleFactor:
 
 @dataclass(frozen=True)
 class SimilitudeReport(Plain):
-    """Mass by Eq. 1, factors of similitude, and what the prototype violates.
+    """Mass by Eq. 1, factors of similitude, and violations by the prototype.
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ class SimilitudeReport(Plain):
     frequency, similar_frequency : float
         Body bounce of the prototype on its tyre, and the one a similar prototype would have [Hz].
     violations : tuple of str
-        What is not similar, one sentence each.
+        Violations of similitude, one sentence each.
     findings : tuple of Finding
         The same as findings, and the estimated values used.
     """
@@ -136,7 +136,7 @@ class SimilitudeReport(Plain):
 def similitude_report(
     case: Annotated[Similitude | None, MadeBy("jounce.bench.similitude:Similitude")] = None,
 ) -> SimilitudeReport:
-    """Assess the similitude of a prototype: its mass by Eq. 1 of the paper, the scale factors, and what it violates.
+    """Assess the similitude of a prototype: its mass by Eq. 1 of the paper, the scale factors, and its violations.
 
     Lengths are reduced by ``geometry_factor``; with the same gravity the times go with its square root; the masses
     relate as they were built; stiffness = mass / time^2, damping coefficient = mass / time, force = mass.
@@ -198,7 +198,7 @@ def _factor(name: str, factor: float, prototype: float | None, unit: str) -> Sca
 
 
 def _violations(case: Similitude, frequency: float, density: float) -> tuple[str, ...]:
-    """Say what is not similar, where the deviation exceeds five per cent."""
+    """Report violations of similitude above five per cent."""
     violations = []
     if abs(case.mass_factor / case.geometry_factor - 1.0) > 0.05:
         violations.append(

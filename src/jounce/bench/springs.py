@@ -30,9 +30,9 @@ CANDIDATES = Pairs("Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.",
 
 
 class SpringChoice(Description):
-    """What a spring has to do.
+    """Requirements for a spring.
 
-    Published: the sprung mass, the strut angles, the tyre stiffness. *Estimated*, because no source gives them:
+    Published: the sprung mass, the strut angles, the tyre stiffness. *Estimated*, without a source:
     ``damping_coefficient`` 150 N s/m along the strut, ``available_travel`` 40 mm at the wheel, ``target_frequency``
     1.84 Hz (1.5 Hz at full size, by similitude with lengths reduced by 1.5), ``friction_force`` 15 N at the sprung
     mass.
@@ -77,9 +77,9 @@ class SpringRow:
     spring_rate, wheel_rate, ride_rate : float
         At the spring, at the wheel (rate * cos^2 of the strut angle), and with the tyre in series [N/m].
     natural_frequency_rigid_tyre, natural_frequency : float
-        Of the sprung mass on the spring alone, and with the tyre in series [Hz].
+        Natural frequency of the sprung mass on the spring alone, and with the tyre in series [Hz].
     damping_ratio : float
-        On the spring alone: damping at the wheel / (2 sqrt(wheel_rate * mass)) [1].
+        Damping ratio on the spring alone: damping at the wheel / (2 sqrt(wheel_rate * mass)) [1].
     static_deflection : float
         Of the suspension at the wheel [m].
     travel_share : float
@@ -116,7 +116,7 @@ class SpringComparison(Plain):
     chosen : str
         Name of the recommended spring.
     reasons : tuple of str
-        Why each of the others was rejected.
+        Reason for each rejected candidate.
     findings : tuple of Finding
         The reasons, and what is doubtful about the recommended spring.
     """
@@ -145,7 +145,7 @@ def compare_springs(
     springs : mapping, or sequence of pairs, optional
         Name of each candidate and its spring rate, N/m; by default those of the published kart.
     choice : SpringChoice, optional
-        What the spring has to do; by default for the published kart.
+        Requirements; by default those of the published kart.
 
     Returns
     -------

@@ -117,7 +117,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
             raise description_error(error, cls, where=where, text=text, path=path) from None
 
 
-_LARGEST = 5_000_000  # bytes: descriptions have some kilobytes, with long tables some megabytes
+_LARGEST = 5_000_000  # bytes: larger than any description
 
 
 def description_text(path: Path | str) -> str:
@@ -172,7 +172,7 @@ def toml_table(text: str) -> dict[str, Any]:
     return table
 
 
-_DEEPEST = 30  # tables within each other; descriptions have at most ten
+_DEEPEST = 30  # tables within each other: deeper than any description
 _MOST_TABLES, _MOST_KEYS = 10_000, 100_000
 _LONG_KEY = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}""")
 

@@ -24,18 +24,18 @@ from jounce.parts.elements import TableCurve
 from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
 from jounce.parts.leverage import force_at
 
-_RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of what Chrono draws; others 0.02 m
-_SPINDLE_SHARE, _SPINDLE_SIZE = 0.05, 0.05  # of the upright's mass, m: where the rig has no wheel of its own
+_RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of bodies in Chrono's graphics; others 0.02 m
+_SPINDLE_SHARE, _SPINDLE_SIZE = 0.05, 0.05  # of the upright's mass, m: for a rig without a separate wheel
 _ARM_SHARE, _ARM_SIZE = 0.05, 0.02  # of the upright's mass, m: of the arm that links 1 and 2 make
-_AXLE_INERTIA = 0.4  # kg m^2: of the half shaft, which Chrono wants
+_AXLE_INERTIA = 0.4  # kg m^2: of the half shaft, which Chrono requires
 _CURVE = np.linspace(-0.1, 0.25, 71)  # m: where curves that are no tables are sampled
 _EXACT_PRODUCTS = ("DoubleWishbone",)  # templates of Chrono that read products of inertia
-_LOST = 1e-4  # share of the largest moment below which a product of inertia is nothing
+_LOST = 1e-4  # share of the largest moment below which a product of inertia is zero
 
 
 @dataclass(frozen=True)
 class ChronoExport(Plain):
-    """What was written.
+    """Result of an export.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class ChronoExport(Plain):
     template : str
         Of Chrono: ``DoubleWishbone``, ``MacPhersonStrut`` or ``MultiLink``.
     findings : tuple of Finding
-        What the file cannot hold, or holds in another way.
+        Parts of the rig that the file omits or represents differently.
     """
 
     path: Path
@@ -55,7 +55,7 @@ class ChronoExport(Plain):
 def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, force: bool = False) -> ChronoExport:
     """Write a 3-D corner as a suspension file of Project Chrono (``.json``).
 
-    Double wishbones, McPherson struts and five links of which two are an arm. Heights count from the wheel centre,
+    Double wishbones, McPherson struts and five links of which two are an arm. Heights are relative to the wheel centre,
     as Chrono places a suspension relative to its axle; the left side is written, for ``jounce import chrono``, too.
 
     Parameters
@@ -73,7 +73,7 @@ def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, f
     Returns
     -------
     ChronoExport
-        What was written, with findings.
+        The file and findings.
 
     Raises
     ------
@@ -253,7 +253,7 @@ class _Writing:
         }
 
     def _rod(self, name: str) -> dict[str, Any]:
-        """A tie rod, which is a body where it has mass."""
+        """A tie rod; a body if it has mass."""
         body = self._body(name)
         if body is None:
             return {}
@@ -376,7 +376,7 @@ class _Writing:
         return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
 
     def _note_rest(self) -> None:
-        """What the rig holds and the file does not."""
+        """Findings on parts of the rig that the file omits."""
         rig = self.rig
         parts = ("anti_roll_bar", "torsion_bar", "third_spring", "guide_friction")
         left = [name for name in parts if getattr(rig, name, None) is not None]
@@ -401,7 +401,7 @@ def _body(mass: float, centre: Array, tensor: Array) -> RigidBody:
 
 
 def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> RigidBody:
-    """A body without a part of it; a part that is not in it is refused."""
+    """A body without one of its parts; refuse a part that is not in it."""
     mass = whole.mass - part.mass
     if mass <= 0.0:
         raise OutputError(

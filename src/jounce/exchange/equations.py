@@ -34,7 +34,7 @@ class Equations(Plain):
     """Equations of motion ``M a = Q + G^T lambda``, ``G a + gamma = 0``, ``dq/dt = dq``; all SI.
 
     ``x`` are coordinates, speeds and internal states, ``u`` each input with its rates, ``p`` the numbers of the rig,
-    ``m`` the modes (1 where a tyre touches, a stop is met); ``a`` are the rates of the speeds, ``lambda`` what the
+    ``m`` the modes (1 for a tyre in contact, a stop in contact); ``a`` are the rates of the speeds, ``lambda`` what the
     loops hold.
 
     Attributes
@@ -108,7 +108,7 @@ class Equations(Plain):
         return "\n".join(lines) + "\n"
 
     def sympy(self) -> str:
-        """A Python module that holds the equations as SymPy's expressions; SymPy is needed where it is run."""
+        """A Python module with the equations as SymPy expressions; running it requires SymPy."""
         groups = self.arguments
         names = [identifiers(group, "mode_" if key == "m" else "") for key, group in groups.items()]
         taken = [name for group in names for name in group]
@@ -135,7 +135,7 @@ class Equations(Plain):
         return "\n".join(lines) + "\n"
 
     def c(self) -> str:
-        """C code of the function, as CasADi writes it; the order of the elements stands above it."""
+        """C code of the function by CasADi, with the order of the elements in a comment."""
         generator = ca.CodeGenerator("equations.c")
         generator.add(self._graph)
         head = [f"/* {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI, column by column, zeros left out."]
@@ -231,4 +231,4 @@ EQUATION_FORMATS = Formats(
         ".casadi": _writer(_casadi),
     },
 )
-"""What equations are written as: LaTeX, a module for SymPy, C, a function of CasADi."""
+"""Formats of equations: LaTeX, a module for SymPy, C, a CasADi function."""

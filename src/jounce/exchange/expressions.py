@@ -9,7 +9,7 @@ import casadi as ca
 
 from jounce.core.errors import OutputError
 
-_SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)  # how tightly parts of an expression hold together
+_SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)  # precedence of the parts of an expression
 _OPERATIONS = {
     getattr(ca, f"OP_{name}"): name
     for name in (
@@ -30,7 +30,7 @@ class _Node:
 
 
 Part = tuple[str, int]
-"""Text of an expression, and how tightly it holds together."""
+"""Text of an expression, and its precedence."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ def written(function: ca.Function, names: Sequence[Sequence[str]], language: Lan
 def _nodes(
     function: ca.Function, names: Sequence[Sequence[str]], number: Callable[[float], str]
 ) -> tuple[list[_Node], list[list[int]]]:
-    """Operations that each happen once, and where the elements of the results are; -1: zero."""
+    """Operations, each once, and the indices of the results' elements; -1 for zero."""
     nodes: list[_Node] = []
     at: dict[int, int] = {}  # place of work to the node that was written there last
     results = [[-1] * function.numel_out(i) for i in range(function.n_out())]
@@ -103,7 +103,7 @@ def _nodes(
 
 
 def _held(part: Part, least: int) -> str:
-    """A part, in brackets where it would fall apart."""
+    """A part, in brackets if its precedence requires them."""
     return part[0] if part[1] >= least else f"({part[0]})"
 
 
@@ -203,7 +203,7 @@ def _latex_number(value: float) -> str:
 
 
 LATEX = Language(_latex, _latex_number, lambda i: f"w_{{{i}}}")
-"""Expressions as LaTeX; a comparison is 1 where it holds, and 0 elsewhere."""
+"""Expressions as LaTeX; a comparison is 1 if true and 0 otherwise."""
 
 
 def latex_name(name: str) -> str:
@@ -217,7 +217,7 @@ def latex_name(name: str) -> str:
 
 
 def identifiers(names: Sequence[str], prefix: str = "") -> list[str]:
-    """Names of Python for names of a rig, each once; a collision is refused.
+    """Unique Python names for names of a rig; refuse a collision.
 
     >>> identifiers(["tyre.force", "mode of tyre"])
     ['tyre_force', 'mode_of_tyre']

@@ -23,16 +23,16 @@ from jounce.parts.elements import BumpStop, Curve
 from jounce.parts.leverage import force_at
 
 STEP = 1e-4  # s
-_STIFF = 2.0  # steps: how fast loops close again
+_STIFF = 2.0  # steps, time constant of closing loops: MuJoCo's lower limit
 _SMALL = 1e-3  # m: either side of the design length, for the rate of a curve
-_SLOW = 0.05  # m/s: either side of rest, for the coefficient of a damper that is no straight line
+_SLOW = 0.05  # m/s: either side of rest, for the coefficient of a nonlinear damper
 _ROUNDING = 1e-6
 _FAR = 1e3  # m: a length that no strut has
 
 
 @dataclass(frozen=True)
 class MjcfExport(Plain):
-    """What was written.
+    """Result of an export.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class MjcfExport(Plain):
     bodies, joints, loops : int
         Counts; loops are equality constraints.
     findings : tuple of Finding
-        What the file cannot hold, or holds in another way.
+        Parts of the rig that the file omits or represents differently.
     """
 
     path: Path
@@ -57,7 +57,7 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     All frames coincide in the design pose, so that every place is that of the rig: SI, x forward, y left, z up. Loops
     are closed by equality constraints, rods are tendons of fixed length; spring, damper, stops and friction are
     tendons, the tyre is an actuator between ``road`` (a mocap body that can be moved) and the wheel centre; its control
-    is the rate of the road's height (m/s), which a tyre with damping feels. Sites are named like the hardpoints.
+    is the rate of the road's height (m/s), used by a tyre with damping. Sites are named like the hardpoints.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     Returns
     -------
     MjcfExport
-        What was written, with findings: curves become straight lines about design, bushings joints.
+        The file, with findings: curves become straight lines about design, bushings joints.
 
     Raises
     ------
@@ -155,7 +155,7 @@ class _Writing:
         bodies = self._tree(world, listed)
         for name, point in self.rig.hardpoints.given().items():
             carrier = linkage.owners[name].name if name in linkage.owners else linkage.chassis.name
-            axis = {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}  # a site is where, and which way
+            axis = {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}  # a site has place and direction
             _add(bodies[carrier], "site", axis, name=name, pos=_text(point))
         root.extend([self._tendon, self._equality, self._actuator, self._sensor])
         self._close(listed, bodies)
@@ -250,7 +250,7 @@ class _Writing:
         return "world" if name == "ground" else name
 
     def _rod(self, name: str, loop: dict[str, Any], bodies: dict[str, ET.Element], soft: dict[str, str]) -> None:
-        """A tendon whose length stays as it is at design."""
+        """A tendon of constant length as at design."""
         tendon = ET.SubElement(self._tendon, "spatial", name=name)
         for end, body, place in (("first", loop["first"], loop["at"]), ("second", loop["second"], loop["second_at"])):
             site = f"{name}.{end}"
@@ -298,7 +298,7 @@ class _Writing:
         return rate, force + (spring.preload or 0.0)
 
     def _straightened(self, curve: Curve, x: float, where: str) -> tuple[float, float]:
-        """Rate and force of a curve at a deflection (m), N/m and N; one that does not rise there is refused."""
+        """Rate and force of a curve at a deflection (m), N/m and N; refuse one that does not rise there."""
         low, force, high = (force_at(curve, x + side * _SMALL) for side in (-1.0, 0.0, 1.0))
         rate = (high - low) / (2.0 * _SMALL)
         if not rate > 0.0:
@@ -354,7 +354,7 @@ class _Writing:
             ET.SubElement(self._sensor, "jointpos", name="sprung.z", joint="sprung")
 
     def _note_rest(self) -> None:
-        """What the rig holds and the file does not."""
+        """Findings on parts of the rig that the file omits."""
         left = [name for name in ("anti_roll_bar", "torsion_bar", "third_spring") if getattr(self.rig, name, None)]
         if left:
             self._say("rig", f"not in the file: {', '.join(left)}.", "warning")

@@ -24,7 +24,7 @@ _LINES = (
     ("arb_pivot", "arb_arm_end"),
     ("arb_arm_end", "arb_link_end"),
 )
-"""What is drawn between points beside the links."""
+"""Lines between points in addition to the links."""
 _TEXT = 8.0  # mm: height of the names
 
 
@@ -110,4 +110,4 @@ def _at(code: int, point: Triple) -> list[tuple[int, str]]:
 
 
 POINT_FORMATS = Formats("hardpoints", {".csv": _table, ".dxf": _drawing})
-"""What hardpoints are written as."""
+"""Formats of hardpoint files."""

@@ -15,12 +15,12 @@ from jounce.core.writing import Formats
 from jounce.roads.road import Road
 
 STEP, WIDTH = 0.01, 4.0  # m
-_MOST = 2_000_000  # points
+_MOST = 2_000_000  # points: limits the file
 
 
 @dataclass(frozen=True)
 class RoadExport(Plain):
-    """What was written of a road.
+    """Result of a road's export.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class RoadExport(Plain):
     length, step : float
         Of the course, and between its points, m.
     findings : tuple of Finding
-        What a course of points cannot say.
+        Properties of the road that points cannot represent.
     """
 
     path: Path
@@ -53,7 +53,7 @@ def write_road(
     path : Path or str
         File to write.
     length : float, optional
-        From distance 0 on, m; by default to the road's end, and half a metre behind an obstacle.
+        From distance 0, m; by default to the road's end, plus half a metre after an obstacle.
     step : float
         Between points, m; between them the road is a line.
     force : bool
@@ -62,7 +62,7 @@ def write_road(
     Returns
     -------
     RoadExport
-        What was written, with the largest height that is lost between the points as a finding.
+        The file, with the largest error between the points as a finding.
 
     Raises
     ------
@@ -124,4 +124,4 @@ def _table(course: tuple[Array, Array], file: Path) -> None:
 
 
 ROAD_FORMATS = Formats("roads", {".crg": _crg, ".csv": _table})
-"""What roads are written as."""
+"""Formats of road files."""

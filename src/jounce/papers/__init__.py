@@ -1,4 +1,4 @@
-"""The two papers rebuilt with the public interface only: their rigs, benches and figures, beside what is correct."""
+"""The two papers rebuilt with the public interface only: their rigs, benches and figures, with the correct values."""
 
 from __future__ import annotations
 

@@ -20,14 +20,14 @@ VARIANTS = ("simulink", "sign-corrected", "physical")
 SPEED, RAMP = 10.0, 0.5
 """Driving speed (m/s) and length of the raised-cosine ramps (m) of the physical variant; estimated."""
 DRIVING, ON, OFF, DURATION = 3.0, 6.0, 8.0, 10.0
-"""When the moment begins, the front axle meets the obstacle, leaves it, and the run ends, s."""
+"""Times at which the moment begins, the front axle meets and leaves the obstacle, and the run ends, s."""
 WINDOWS = ((DRIVING, ON), (ON, OFF), (OFF, DURATION))
 DEMO_MOMENT = 100.0
 """Step of the pitch moment in the demo that the paper started from, N m."""
 DECELERATION, CENTRE_HEIGHT = 3.0, 0.55
-"""What a second pitch moment is made of: m/s^2 and the height of the centre of gravity in m; estimated."""
+"""Origin of a second pitch moment: m/s^2 and the height of the centre of gravity in m; estimated."""
 _TOLERANCE = 1e-9
-_FINE = 1e-4  # s: accelerations have no derivative among the channels that could tell what is between samples
+_FINE = 1e-4  # s: the channels have no derivative of accelerations for interpolation
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def extremes_within(time: Array, value: Array, rate: Array, start: float, end: f
             "no such window", found=f"{start:g} to {end:g} s", allowed=f"within {time[0]:g} to {time[-1]:g} s"
         )
     signal = CubicHermiteSpline(time, value, rate)
-    level = signal.derivative().roots(extrapolate=False)  # NaN follows where it is level all along a piece
+    level = signal.derivative().roots(extrapolate=False)  # NaN for a piece that is level throughout
     at = np.sort([start, end, *level[(level >= start) & (level <= end)]])
     values = signal(at)
     low, high = int(np.argmin(values)), int(np.argmax(values))
@@ -142,7 +142,7 @@ class CaseRun(jn.Plain):
 
 @dataclass(frozen=True)
 class AudiCase(jn.Plain):
-    """What a case of the paper comes to.
+    """Results of a case of the paper.
 
     Attributes
     ----------
@@ -155,13 +155,13 @@ class AudiCase(jn.Plain):
     modes : tuple of Mode
         Bounce and pitch; the same in all variants.
     printed : PrintedSign
-        What the printed sign of eq. (9) would make of the vehicle.
+        Consequences of the printed sign of eq. (9).
     start_up : StartUp
-        What the demo's initial height would make of it.
+        Consequences of the demo's initial height.
     errata : tuple of Erratum
-        The paper's numbers beside the correct ones.
+        The paper's numbers with the correct ones.
     findings : tuple of Finding
-        What the reader must know.
+        Warnings about the results.
     """
 
     case: Case
@@ -206,7 +206,7 @@ def run_audi_a6(name: str, *, progress: Progress = no_progress) -> AudiCase:
     Returns
     -------
     AudiCase
-        Windows of extremes, statics, modes, signals, and the paper beside what is correct.
+        Windows of extremes, statics, modes, signals, and the paper's values with the correct ones.
 
     Raises
     ------

@@ -29,11 +29,11 @@ VARIANTS = ("summed", "series", "two-mass")
 AMPLITUDE, PLATE_MASS = 0.003, 20.0
 """Of the exciter (m) and of the plate (kg); neither is in the paper, both are estimated."""
 LARGEST = 0.095
-"""Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to nothing."""
+"""Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to zero length."""
 DURATION, STEADY = 12.0, 1.0
-"""Length of a run, and of its last part that counts as steady, s."""
+"""Length of a run, and of its steady last part, s."""
 TOP = 25.0
-"""Where a EUSAMA sweep begins, Hz."""
+"""Start frequency of a EUSAMA sweep, Hz."""
 _STEP, _TOLERANCE = 1e-3, 1e-9
 _TURNING = 2.0 * np.pi * FREQUENCY  # rad/s
 
@@ -57,7 +57,7 @@ class Oscillation:
 
 @dataclass(frozen=True)
 class Drive:
-    """What the exciter's drive gives in steady motion: torque (N m), mean power, and mean heat of the dampers (W)."""
+    """The exciter's drive in steady motion: torque (N m), mean power, and mean heat of the dampers (W)."""
 
     torque: Range
     power: float
@@ -98,7 +98,7 @@ class Eusama:
 
 @dataclass(frozen=True)
 class EccentricExciter(jn.Plain):
-    """What the exciter study found.
+    """Results of the exciter study.
 
     Attributes
     ----------
@@ -117,9 +117,9 @@ class EccentricExciter(jn.Plain):
     eusama : tuple of Eusama
         With the printed tyre damping and without.
     errata : tuple of Erratum
-        The paper's numbers beside the correct ones.
+        The paper's numbers with the correct ones.
     findings : tuple of Finding
-        What the reader must know.
+        Warnings about the results.
     """
 
     rig: jn.QuarterCar
@@ -267,7 +267,7 @@ def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
         jn.Trial(road=road, speed=FREQUENCY, duration=DURATION),
         output_step=_STEP,
         tolerance=_TOLERANCE,
-        offset={name: -rest[name] for name in ("sprung.z", "unsprung.z")},  # nothing is compressed at the start
+        offset={name: -rest[name] for name in ("sprung.z", "unsprung.z")},  # no spring is compressed at the start
     )
     velocity = run["strut.velocity"].to_numpy()
     tyre_velocity = _plate(amplitude, time)[1] - run["unsprung.vz"].to_numpy()
@@ -318,7 +318,7 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
     acceleration = strut / values["sprung.mass"] - values["gravity"] * one
     matrix = np.array([velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * one])
     state = np.zeros(count + 3)
-    state[[0, *range(2, count)]] = -amplitude  # nothing is compressed, the plate is at its lowest
+    state[[0, *range(2, count)]] = -amplitude  # no spring is compressed, the plate is at its lowest point
     state[-3], state[-1] = -1.0, 1.0
     states, onward = np.empty((len(time), count + 3)), expm(matrix * _STEP)
     for i in range(len(time)):

@@ -1,4 +1,4 @@
-"""Paper 2 as printed beside what is correct: errata, missing terms, values that contradict each other."""
+"""Errata of paper 2: printed and correct values, missing terms, contradictory values."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ POWER, FREQUENCY, LOAD = 2200.0, 5.0, 4512.6
 FREE_LENGTH, READ_LENGTH, CALCULATED = 0.341, 0.3288, 0.130
 """Spring before and in the paper's simulation, and the compression its manual calculation took, m."""
 DEMO_HEIGHT, DEMO_PITCH = -0.12, 0.0
-"""Where the demo starts its own car: height of the body in m, pitch in rad."""
+"""Initial pose of the demo's car: height of the body in m, pitch in rad."""
 PRINTED_RATE = 38.0
 """Front spring rate as printed, N/m."""
 _START_UP = 3.0
@@ -28,7 +28,7 @@ _START_UP = 3.0
 
 @dataclass(frozen=True)
 class Erratum:
-    """One place where the paper is to be read with care, how one can tell, and both numbers in the SI ``unit``."""
+    """One error of the paper, its evidence, and both numbers in the SI ``unit``."""
 
     place: str
     printed: str
@@ -41,7 +41,7 @@ class Erratum:
 
 @dataclass(frozen=True)
 class PrintedSign:
-    """What the printed sign of eq. (9), M_rear = -L_r F_rear, makes of the half car.
+    """The half car with the printed sign of eq. (9), M_rear = -L_r F_rear.
 
     The largest real part of the eigenvalues (1/s; above zero, pitch runs away), the pitch of the printed equations'
     equilibrium (rad), and the eigenvalues (real and imaginary part, 1/s) with the printed and with the correct sign.
@@ -55,7 +55,7 @@ class PrintedSign:
 
 @dataclass(frozen=True)
 class StartUp(jn.Plain):
-    """What the demo's initial height makes of the paper's vehicle, m.
+    """The paper's vehicle with the demo's initial height, m.
 
     Height of the body where the demo starts and where the vehicle is in balance, the difference of both
     (``transient``), and the lowest height on the way; ``signals`` over time.
@@ -78,7 +78,7 @@ def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Arra
     """
     front, rear = vehicle.front, vehicle.rear
     seen = np.array([[1.0, -front.distance], [1.0, rear.distance]])  # heights of the body above the axles
-    moved = np.array([[1.0, 1.0], [-front.distance, rear_sign * rear.distance]])  # what axle forces do to the body
+    moved = np.array([[1.0, 1.0], [-front.distance, rear_sign * rear.distance]])  # effect of axle forces on the body
 
     def matrix(first: float, second: float) -> Array:
         return np.asarray(moved @ np.diag([2.0 * first, 2.0 * second]) @ seen)
@@ -139,7 +139,7 @@ def exciter_torque(power: float, frequency: float) -> float:
 
 
 def series(*stiffnesses: float) -> float:
-    """Stiffness (N/m) of springs one behind the other."""
+    """Stiffness (N/m) of springs in series."""
     return 1.0 / sum(1.0 / stiffness for stiffness in stiffnesses)
 
 
@@ -157,7 +157,7 @@ def _damping(rig: jn.QuarterCar) -> float:
 
 
 def paper_errata() -> tuple[Erratum, ...]:
-    """Put the paper's numbers and equations beside the correct ones; every number is computed from its tables."""
+    """Compare the paper's numbers and equations with the correct ones; all are computed from its tables."""
     car, demo, corner = (jn.load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
     assert isinstance(car, jn.HalfCar)
     assert isinstance(demo, jn.HalfCar)
@@ -325,7 +325,7 @@ def _equations(car: jn.HalfCar) -> tuple[Erratum, ...]:
 
 
 def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
-    """What the demo brought along."""
+    """Errata of the demo."""
     rest, own = jn.equilibrium(car)["body.z"], jn.equilibrium(demo)["body.z"]
     rates = f"{car.front.spring_rate:.0f} and {car.rear.spring_rate:.0f} N/m"
     same = (car.front.spring_rate, car.rear.spring_rate) == (demo.front.spring_rate, demo.rear.spring_rate)
@@ -365,7 +365,7 @@ def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
 
 
 def _words(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
-    """What the text says of damping and of its methods."""
+    """Errata of the text on damping and methods."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     best = spring * float(np.sqrt((corner.sprung.mass + corner.unsprung.mass) / tyre))
     return (

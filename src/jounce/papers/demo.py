@@ -16,7 +16,7 @@ FULL, QUICK = "campaign.toml", "quick-look.toml"
 def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
     """Write the shipped campaign with its synthetic measurements; return its ``campaign.toml``.
 
-    Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. Where a
+    Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. If a
     file exists nothing is written, unless ``force`` allows it.
     """
     folder = (_numbered() if out is None else Path(out)) / "campaign"

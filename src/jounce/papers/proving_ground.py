@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 COURSE = "detrended_rms_course_1in"
 BEGIN, END = 100.0, 404.8
-"""Where the course is undulated, m; it is driven from end to end, beginning at rest on the springs."""
+"""Undulated part of the course, m; it is driven from end to end, starting at rest on the springs."""
 SPEEDS = tuple(kmh / 3.6 for kmh in (10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0))
 SHOWN_SPEED = 20.0 / 3.6
 LAW = "tanh-hysteretic"
@@ -52,7 +52,7 @@ LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = ("linear", 
 _COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}
 _GRAVITY = 9.81  # m/s^2
 WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
-"""Of the same vehicle in the same repository as its hardpoints; see SOURCE.md beside them. kg, kg, N/m, N s/m."""
+"""Values of the same vehicle, from the repository of its hardpoints; see their SOURCE.md. kg, kg, N/m, N s/m."""
 _STEP = 1e-4  # rad, of the lower arm
 _SOURCE = "suspension file"
 _SPRUNG = "spring force × motion ratio / g: what the spring carries at design position"
@@ -66,7 +66,7 @@ _TYRE_DAMPING = "a tyre file of the same vehicle, scaled by its author from anot
 
 @dataclass(frozen=True)
 class Derived:
-    """One number of the model (``value`` in the SI ``unit``) and where it comes from: a source, or a formula."""
+    """One number of the model (``value`` in the SI ``unit``) and its origin: a source, or a formula."""
 
     name: str
     value: float
@@ -112,7 +112,7 @@ class FrontView:
         self.design = self.points["lower_ball_joint"][1:], self.points["upper_ball_joint"][1:]
 
     def on_lower_arm(self, name: str, angle: float) -> Array:
-        """Where a point of the lower arm is, shape (3,) in m, the arm turned by ``angle`` in rad, bump positive."""
+        """Place of a point of the lower arm, shape (3,) in m, for an arm angle in rad, bump positive."""
         away = self.points[name] - self.axis_point
         cosine, sine = np.cos(angle), np.sin(angle)
         along = self.axis * (self.axis @ away)
@@ -150,7 +150,7 @@ class FrontView:
         return self.wheel_height(angle) - self.wheel_height(0.0)
 
     def _upper_ball_joint(self, lower: Array) -> Array:
-        """Where two circles meet: about the upper pivot and about the lower ball joint; the outer of both points."""
+        """Intersection of two circles, about the upper pivot and the lower ball joint; the outer of both points."""
         upright = float(np.linalg.norm(self.design[1] - self.design[0]))
         arm = float(np.linalg.norm(self.design[1] - self.upper_pivot))
         between = lower - self.upper_pivot
@@ -308,7 +308,7 @@ def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ..
 
 
 def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[str, Any]:
-    """Damper table of a rig whose strut stands at the wheel, from the table of the measured damper.
+    """Damper table of a rig with its strut at the wheel, from the table of the measured damper.
 
     What multiplies velocity or displacement changes with motion_ratio * force_scale * r, forces with
     motion_ratio * force_scale, and what stands beside them inside the law (the tanh's ``slope`` in s/m, Bouc-Wen's
@@ -346,7 +346,7 @@ def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency
 
 @dataclass(frozen=True)
 class ProvingGround:
-    """What the study found: records and laws, the vehicle, how the damper was scaled, ride figures and signals.
+    """Results of the study: records and laws, the vehicle, scaling of the damper, ride figures and signals.
 
     ``equivalent`` has the equivalent linear damping ratio (1) of each damper at the stated amplitude, ``damping`` over
     the amplitude of wheel travel; ``derived`` every number of the model with its origin; ``figures`` the ride figures
@@ -480,7 +480,7 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
 
 
 def _scaled(dampers: tuple[MeasuredDamper, ...], corner: LumpedCorner) -> tuple[Similitude, dict[str, float]]:
-    """Choose the scales; and tell the damping ratios that result, the vehicle's own damper beside them."""
+    """Choose the scales; return them with the damping ratios, also of the vehicle's own damper."""
     rig = corner.rig
     stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
     unit = Similitude(stroke, 1.0, corner.damper_motion_ratio)
@@ -593,7 +593,7 @@ def ride_figures(
 
 
 def work(force: Array, way: Array) -> float:
-    """Integral (J) of a force (N) over a way (m), both sampled, shape (n,): exact where slopes jump between samples."""
+    """Integral (J) of a force (N) over a displacement (m), both sampled, shape (n,): exact for piecewise lines."""
     return float(0.5 * (force[1:] + force[:-1]) @ np.diff(way))
 
 

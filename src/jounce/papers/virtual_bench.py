@@ -1,7 +1,7 @@
-"""The virtual bench: every measurement file of a campaign, made from a model with known values.
+"""The virtual bench: all measurement files of a campaign, simulated from a model with known values.
 
-It gives the files that a laboratory would: force against deflection of spring and tyre, free decays, obstacle passes
-seen through accelerometers. The same truth, plan and seed always give the same files; ``truth.toml`` beside them holds
+It writes the files of a laboratory: force against deflection of spring and tyre, free decays, obstacle passes
+recorded by accelerometers. The same truth, plan and seed always give the same files; ``truth.toml`` beside them holds
 the values.
 
 The paper's recordings were not published, so the bench stands in for its laboratory. What it is, is a
@@ -25,14 +25,14 @@ from jounce.papers.table2 import Table2Row, table2
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
 _OBSTACLES_IN_TRAIN = 5
-_WEIGHT = 2.5  # kg; weights that press the sprung mass down before a free decay
+_WEIGHT = 2.5  # kg; weights on the sprung mass before a free decay
 _LEVEL = 24
-"""Samples of level belt beside an obstacle: a spline through them has forgotten the obstacle to within a nanometre."""
+"""Samples of level belt next to an obstacle, after which a spline deviates by less than a nanometre."""
 
 
 @dataclass(frozen=True)
 class BenchPlan:
-    """What is measured: cycles of the spring, and of the tyre at each pressure (Pa), free decays, obstacle passes.
+    """Measurements: cycles of the spring, and of the tyre at each pressure (Pa), free decays, obstacle passes.
 
     ``duration`` is that of each recording (s), ``sample_rate`` that of decays and passes (Hz), ``seed`` that of all
     scatter and noise.
@@ -73,7 +73,7 @@ def shipped_truth() -> jn.BenchTruth:
 
 @dataclass(frozen=True)
 class TruePass:
-    """What a pass really was: speed (m/s) behind its printed two decimals, and how late its recording started (s)."""
+    """Truth of a pass: exact speed (m/s), and delay of its recording (s)."""
 
     speed: float
     lag: float
@@ -97,9 +97,9 @@ def virtual_bench(
     Parameters
     ----------
     folder : Path or str
-        Where to; it is made.
+        Folder; created if missing.
     truth : BenchTruth, Path, str or None
-        What the bench really is: a description, the file of one, or a shipped name (``"kart-low-friction"``); None:
+        True bench: a description, the file of one, or a shipped name (``"kart-low-friction"``); None:
         ``"kart-prototype"``.
     changes : dict or None
         Other values by path, of the truth (``"belt.speed_drop"``) or its rig (``"rig.strut.friction.force"``); whole
@@ -156,7 +156,7 @@ def make_measurements(
 ) -> list[Path]:
     """Write the measurement files of a plan below a folder: ``bench/``, ``trials/`` and ``truth.toml``.
 
-    Where one exists nothing is written, unless ``force`` allows it.
+    If one exists, nothing is written unless ``force`` is set.
 
     Examples
     --------
@@ -374,7 +374,7 @@ def _cycle(deflection: Array, force: Array, generator: np.random.Generator) -> s
 
 
 def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
-    """Lay weights on the sprung mass, take them off at once, record its height above rest."""
+    """Load the sprung mass with weights, remove them suddenly, and record its height above rest."""
     texts = {}
     level = jn.Trial(excitation=jn.Excitation(time=[0.0, 0.7, 1.4, 2.0], height=[0.0] * 4), duration=2.0)
     rig = truth.true_rig()
@@ -407,7 +407,7 @@ def _generator(seed: int, name: str) -> np.random.Generator:
 
 
 def truth_text(plan: BenchPlan, truth: jn.BenchTruth) -> str:
-    """Return the truth behind a plan's files as a truth file, SI, with what the seed made of each pass."""
+    """Return the truth behind a plan's files as a truth file, SI, with the random values of each pass."""
     import tomlkit
 
     passes = {row.number: true_pass(row, plan.seed, truth) for row in plan.trials}

@@ -27,7 +27,7 @@ from jounce.recordings.quality import check_ascending
 from jounce.roads.loading import road_library
 from jounce.roads.measured import read_crg_profile
 
-SPEED = 80.0 / 3.6
+SPEED = 80.0 / 3.6  # m/s; with the golden car's numbers by definition of the IRI
 TYRE, SPRING, DAMPER, MASS_RATIO = 653.0, 63.3, 6.0, 0.15  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
 BASE = 0.25
 RUN_UP = 11.0
@@ -49,7 +49,7 @@ class RoughnessSegment:
     iri_m_per_km : float
         Mean rectified slope of the golden car, m/km.
     partial : bool
-        Whether it is the rest at the end, shorter than the others.
+        Whether it is the shorter remainder at the end.
     """
 
     start: float
@@ -65,9 +65,9 @@ class Roughness(Shown):
     Attributes
     ----------
     iri_m_per_km : float
-        Of the whole profile, m/km (the same number as mm/m).
+        IRI of the whole profile, m/km (equal to mm/m).
     start, end : float
-        Where the profile begins and ends, m.
+        Start and end of the profile, m.
     spacing : float
         Distance of its samples, m.
     base : float
@@ -77,7 +77,7 @@ class Roughness(Shown):
     segments : tuple of RoughnessSegment
         In their order. The car is not started anew at their borders.
     findings : tuple of Finding
-        What weakens the numbers.
+        Limitations of the numbers.
     """
 
     iri_m_per_km: float
@@ -110,7 +110,7 @@ def iri(
     Parameters
     ----------
     distance : array_like, shape (n,)
-        Positions in m, ascending in constant steps of at most 0.61 m. They are used as they are: nothing is resampled.
+        Positions in m, ascending in constant steps of at most 0.61 m. They are not resampled.
     height : array_like, shape (n,)
         Heights in m.
     segment : float or str
@@ -119,7 +119,7 @@ def iri(
         Length in m over which the mean slope gives the car's state at the start; 11 m by definition (some programs take
         0.5 s at 80 km/h, 11.11 m).
     place : str
-        What messages call the profile, e.g. its file.
+        Name of the profile in messages, e.g. its file.
 
     Returns
     -------
@@ -234,7 +234,7 @@ def _modes() -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np
 def _segments(
     trace: Array, start: float, end: float, spacing: float, base: float, length: float
 ) -> tuple[RoughnessSegment, ...]:
-    """Means over the steps whose slope's middle lies in a segment."""
+    """Means over the steps with their middle in a segment."""
     middle = 0.5 * base + spacing * np.arange(trace.size)
     whole = math.floor((end - start) / length + _NEARLY)
     number = np.floor(middle / length + 1e-9).astype(int)
@@ -338,7 +338,7 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
 def read_profile(
     path: Path | str, *, columns: Mapping[str, str] | None = None, lateral_offset: float = 0.0
 ) -> tuple[Array, Array, list[Finding]]:
-    r"""Read distance and height (m) of a longitudinal profile, and what was assumed or looks wrong.
+    r"""Read distance and height (m) of a longitudinal profile, and findings on assumptions and errors.
 
     The file is text with the columns ``x`` and ``z`` (``x [m], z [mm]``), or with two bare columns of numbers in m; any
     other format recordings are read from; a straight OpenCRG road (``.crg``), or the name of a shipped one, of which
@@ -381,7 +381,7 @@ class ProfileRoughness(Plain):
     distance, height : ndarray, shape (n,)
         The profile, m.
     findings : tuple of Finding
-        What was assumed when reading, and what weakens the numbers.
+        Assumptions of reading, and limitations of the numbers.
     """
 
     profile: str
@@ -458,7 +458,7 @@ def profile_roughness(
 
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:
-    """Lines that hold something but comments, with their numbers, split at blanks, commas, semicolons."""
+    """Non-empty lines without comments, with their numbers, split at blanks, commas, semicolons."""
     text = text_of(file)
     lines = ((number, line.split("#")[0]) for number, line in enumerate(text.splitlines(), 1))
     split = ((number, line.replace(",", " ").replace(";", " ").split()) for number, line in lines)

@@ -1,4 +1,4 @@
-"""Spectra of roads as ISO 8608 has them, the noise that stands for them, and how rough a measured profile is."""
+"""Road spectra of ISO 8608, equivalent noise, and the roughness of measured profiles."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from jounce.core.units import as_number
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
 
 _UNEVEN = 1e-3  # of the spacing
-_PER_OCTAVE = 3  # bands that the line is fitted through
+_PER_OCTAVE = 3  # bands for fitting the line: enough averages in each, enough bands in all
 
 
 def roughness_class(roughness: float) -> RoadClass:
-    """Road class, "A" to "H", whose limits hold a degree of roughness G_d(n0) in m^3, above 0.
+    """Road class, "A" to "H", whose limits contain a degree of roughness G_d(n0) in m^3, above 0.
 
     The limit between two classes is twice the mean of the smoother one; what is smoother or rougher than all of them is
     "A" or "H".
@@ -131,7 +131,7 @@ class RoadSpectrum(Shown):
     waviness : float
         Exponent w (1) of the line.
     road_class : str
-        Class of ISO 8608 that holds this roughness.
+        Class of ISO 8608 with this roughness.
     band : tuple of float
         Spatial frequencies in 1/m between which the line was fitted.
     deviation : float
@@ -163,7 +163,7 @@ def estimate_roughness(
     band : tuple of float
         Lowest and highest spatial frequency in 1/m for the fit; what the profile does not contain is left out.
     waviness : float, optional
-        Exponent (1) kept fixed, 2 for a class by the standard; fitted when left out.
+        Fixed exponent (1), 2 for a class by the standard; fitted by default.
 
     Returns
     -------
@@ -236,7 +236,7 @@ def _checked(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
 
 
 def _welch(step: float, z: Array, low: float) -> tuple[Array, Array, float]:
-    """Spatial frequencies (1/m), density (m^3) by way of the slope, and how many values each one averages."""
+    """Spatial frequencies (1/m), density (m^3) by way of the slope, and the number of averaged values of each."""
     from scipy.signal import welch
 
     segment = min(len(z) - 1, max(16, round(5.0 / (low * step))))
@@ -257,7 +257,7 @@ def _banded(n: Array, psd: Array, band: tuple[float, float], averages: float) ->
             centre = 10.0 ** np.log10(n[inside]).mean()
             flat = psd[inside] * (n[inside] / centre) ** 2
             values = float(inside.sum()) * averages  # independent ones, of two degrees of freedom each
-            # the mean of a logarithm lies below the logarithm of the mean
+            # the mean of a logarithm is below the logarithm of the mean
             levels.append(np.log10(np.mean(flat)) + 0.5 / (values * np.log(10.0)))
             centres.append(centre)
             weights.append(values / (values + 10.0))

@@ -1,4 +1,4 @@
-"""What stands on a tester of shock absorbers: quarter car, axle or 3-D corner on plates that exciters move.
+"""Rigs on a shock absorber tester: quarter car, axle or 3-D corner on plates moved by exciters.
 
 Each plate is rigid on its exciter or stands on a spring over it. The exciter's angle is a track (whatever the drive
 wants) or, where the drive runs freely, a coordinate with the drive's inertia. At angle 0 the plate is at its mean
@@ -37,7 +37,7 @@ _LIFTED = 0.02  # m: the search for equilibrium begins with the plate against th
 class PlateForm:
     """How the plates are built; all that matters of a tester for the equations."""
 
-    sprung: bool = False  # whether a spring stands between exciter and plate
+    sprung: bool = False  # whether there is a spring between exciter and plate
     # places of the wheels (``""``, ``"left"``, ``"right"``) whose exciter the drive's inertia moves; else tracks
     free: tuple[str, ...] = ()
 

@@ -16,12 +16,12 @@ from jounce.testers.plate_response import LinearTesterRig, linear_rig_on_tester,
 from jounce.testers.plates import wrapped
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-_BLOCK = 1.5  # s between two looks at whether the motion repeats
+_BLOCK = 1.5  # s between two tests for periodicity
 _BLOCKS = 40
-_REPEATS = 1e-5  # of the amplitude: what may still change until the motion is periodic
-_ROUNDING = 1e-7  # below that the changes say nothing of how fast they shrink
+_REPEATS = 1e-5  # of the amplitude: largest remaining change of periodic motion
+_ROUNDING = 1e-7  # changes below it are rounding and show no rate of decay
 _SAMPLES = 512  # a period
-_UNSETTLED = 8  # periods looked at where the motion does not settle
+_UNSETTLED = 8  # periods examined if the motion does not settle
 _STEP = 0.5  # Hz, of the first sweep
 _FINE = 0.01
 
@@ -49,9 +49,9 @@ def periodic(
     start: Mapping[str, float] | None = None,
     tolerance: float = 1e-6,
 ) -> Periodic:
-    """Continue a run of a rig with driven exciters at one frequency (Hz) until it repeats with every turn.
+    """Continue a run of a rig with driven exciters at one frequency (Hz) until it is periodic.
 
-    Of an axle one ``wheel`` is excited and the other plate stands still. The run begins with the state ``start``, such
+    On an axle one ``wheel`` is excited and the other plate is at rest. The run begins with the state ``start``, such
     as that at a frequency nearby, or with the linear model's steady state; its tolerance is that of all runs.
 
     Examples
@@ -97,13 +97,13 @@ def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict
 
 
 def _carried(near: Periodic, linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
-    """State at a frequency nearby, changed by what the linear model changes on the way."""
+    """State at a nearby frequency, corrected by the change of the linear model."""
     there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
     return {name: value + here[name] - there[name] for name, value in near.state.items()}
 
 
 def _left(ends: Array, scale: Array) -> float:
-    """What the state at a turn's end will still change, in shares of its scale."""
+    """Remaining change of the state at the end of a turn, relative to its scale."""
     changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
     if changes[-1] < _ROUNDING:
         return float(changes[-1])
@@ -112,7 +112,7 @@ def _left(ends: Array, scale: Array) -> float:
 
 
 def _phase_angle(force: Array, static: float) -> float:
-    """Angle (rad of the turn) of the middle of the low-force half; the part around the least force counts."""
+    """Angle (rad of the turn) of the middle of the low-force half; the half around the least force."""
     low = int(np.argmin(force))
     turned = np.roll(force, -low) - static
     up = int(np.argmax(turned > 0.0))

@@ -17,7 +17,7 @@ from jounce.simulation.statics import for_small_motions
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-_ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle count as a pair
+_ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle are a pair
 
 
 @dataclass(frozen=True)
@@ -75,19 +75,19 @@ def linear_rig_on_tester(on: TesterRig) -> LinearTesterRig:
 def steady_response(
     rig: Rig, tester: Tester | str | Path, frequency: ArrayLike, *, wheel: str = "left"
 ) -> SteadyResponse:
-    """Steady answer of a wheel to its plate, from the linear model in closed form.
+    """Steady response of a wheel to its plate, from the linear model in closed form.
 
     Parameters
     ----------
     rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates; laws of springs and dampers count with their slope at rest, the mean of
+        Rig on the plates; laws of springs and dampers have their slope at rest, the mean of
         both sides where they have two.
     tester : Tester, str or Path
         Stroke and plate; also by its name or file.
     frequency : array_like, shape (n,)
         Hz, above 0.
     wheel : {"left", "right"}
-        Of an axle the wheel that is excited; the other plate stands still.
+        Excited wheel of an axle; the other plate is at rest.
 
     Returns
     -------
@@ -97,9 +97,9 @@ def steady_response(
     Raises
     ------
     SimulationError
-        For a rig that no tester takes.
+        If the rig does not fit on a tester.
     DescriptionError
-        For an unknown wheel.
+        If a wheel is unknown.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def _steady(linear: LinearTesterRig, frequency: Array, wheel: str) -> SteadyResp
 
 
 def place_of(on: TesterRig, wheel: str) -> str:
-    """Place of a wheel in the model: itself on an axle, nothing for a single one."""
+    """Place of a wheel in the model: its name on an axle, "" for a single wheel."""
     if wheel not in ("left", "right"):
         raise unknown(str(wheel), ("left", "right"), what="wheel", where="wheel")
     return wheel if len(on.places) > 1 else ""
@@ -186,7 +186,7 @@ def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road
     values, vectors = np.linalg.eig(linear.A)
     unsprung, sprung, plate = (_shapes(linear, channel(place, name), vectors) for name in _HEIGHTS)
     found = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
-    found &= (unsprung * plate.conj()).real >= 0.0  # against each other plate and wheel are the plate's mode
+    found &= (unsprung * plate.conj()).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
     if not found.any():
         return None
     lowest = np.min(np.abs(values[found]))
@@ -201,7 +201,7 @@ _HEIGHTS = "unsprung.z", "sprung.z", "plate.z"
 
 
 def _shapes(linear: LinearTesterRig, output: str, vectors: Complex) -> Complex:
-    """Output in each mode; zero where there is no such output, as for a body that is held."""
+    """Output in each mode; zero without such an output, as for a fixed body."""
     names = linear.on.compiled.output_names
     shapes = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))
     return np.asarray(shapes, dtype=np.complex128)
@@ -218,7 +218,7 @@ def road_damping_ratio(
 ) -> float:
     """Convert a damping ratio of the wheel's mode on a sprung plate to the road, one degree of freedom assumed.
 
-    Rates and stiffness in N/m, masses in kg; the poles of the model give it exactly.
+    Rates and stiffness in N/m, masses in kg; the model's poles are exact.
 
     Examples
     --------

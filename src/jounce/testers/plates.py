@@ -1,4 +1,4 @@
-"""A wheel on a tester's plate in steady motion, as its linear response tells: adhesion, phase angle, tyre rigidity."""
+"""A wheel on a tester's plate in steady motion, by its linear response: adhesion, phase angle, tyre rigidity."""
 
 from __future__ import annotations
 

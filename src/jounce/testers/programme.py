@@ -19,7 +19,7 @@ from jounce.parts.vehicles import FrontViewAxle
 from jounce.testers.model import ANGLE
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-_RUN_OUT = 10.0  # Hz/s: how fast an eccentric exciter is stopped that has not reached rest at the end of its sweep
+_RUN_OUT = 10.0  # Hz/s: deceleration of an eccentric exciter that still turns at the end of its sweep
 
 
 @dataclass(frozen=True)
@@ -31,14 +31,14 @@ class SweptAngle:
 
     @property
     def end(self) -> float:
-        """Angle at which it stands in the end, rad."""
+        """Final angle, rad."""
         angle, rate, half = self.coefficients[-1]
         length = self.edges[-1] - self.edges[-2]
         return float(angle + length * (rate + length * half))
 
 
 def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> SweptAngle:
-    """Return the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
+    """Return the exciter's angle over a programme, exact: quadratic in time while the frequency changes.
 
     The hold depends on the static load (N); it starts to turn at ``begin`` (s) from an angle in rad.
 
@@ -61,7 +61,7 @@ def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, an
 
 
 def angle_of(tests: list[SweptAngle]) -> Segments:
-    """Join the tests of one exciter, which stands still before, between and after them."""
+    """Join the tests of one exciter, which is at rest before, between and after them."""
     edges, rows = [-1.0], [[tests[0].coefficients[0, 0] if tests else 0.0, 0.0, 0.0]]
     for test in tests:
         edges += list(test.edges[:3])
@@ -161,7 +161,7 @@ def _phases(driven: TesterRig, free: TesterRig, hold: float, rest: float) -> Ite
 
 
 def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
-    """Angle (rad) of an exciter that stands still or is driven (rad/s), or the share of its motor's torque."""
+    """Angle (rad) of an exciter at rest or driven (rad/s), or the share of its motor's torque."""
     if kind == "driven":
         return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
     return constant({"still": angle, "motor on": 1.0, "motor off": 0.0}[kind])

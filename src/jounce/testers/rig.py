@@ -70,7 +70,7 @@ class TesterRig:
     ) -> Solution:
         """Run with given exciter angles (rad against s; of free exciters the motor's share), from rest or ``start``.
 
-        Angles go by the place of the wheel; exciters that are not named stand still at mean height. Output times are in
+        Angles are by the place of the wheel; other exciters are at rest at mean height. Output times are in
         s, states of ``start`` in SI; ``fastest`` is the greatest rate of the angles, rad/s.
         """
         prepared, facts = self.prepared, self.compiled.facts
@@ -137,7 +137,7 @@ def tester_numbers(tester: Tester) -> dict[str, float]:
 
 
 def check_rig(rig: Rig) -> None:
-    """Refuse what does not stand on a tester."""
+    """Refuse a rig that does not fit on a tester."""
     if isinstance(rig, (QuarterCar, FrontViewAxle, Corner)):
         return
     raise SimulationError(

@@ -1,4 +1,4 @@
-"""Simulated tests of shock absorbers: records as a tester's computer writes them, with the truth beside them."""
+"""Simulated tests of shock absorbers: records in the form of a tester's computer, with the truth."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Sensors:
-    """What the sensors of a tester do to the signals.
+    """Effects of a tester's sensors on the signals.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Sensors:
     force_limit : float or None
         Range of the force cells, N: what is beyond is clipped.
     tacho : bool
-        Whether the turns of the exciter are recorded, too (``<wheel>.plate.frequency``, Hz).
+        Whether the rotation of the exciter is recorded (``<wheel>.plate.frequency``, Hz).
     """
 
     displacement_noise: float = 0.0
@@ -76,21 +76,21 @@ def simulate_test(
     Parameters
     ----------
     rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
-        What stands on the plates; of a vehicle it is the axle that ``about`` names, the front one otherwise.
+        Rig on the plates; of a vehicle the axle named in ``about``, by default the front one.
     tester : Tester, str or Path
         Plates, programme, sampling; also by its name or file.
     wheel : {"both", "left", "right"}
-        Of an axle the wheels tested, left first; of a single wheel the plate that it stands on, left for ``"both"``.
+        Tested wheels of an axle, left first; for a single wheel its plate, left for ``"both"``.
     other : {"still", "excited"}
-        What the other plate of an axle does in the meantime.
+        Motion of the other plate of an axle meanwhile.
     noise : float
         Standard deviation of the force's noise, in shares of the static load (1).
     seed : int
-        Of the noise; equal seeds give equal records.
+        Seed of the noise.
     sensors : Sensors, optional
-        What else the sensors do.
+        Other effects of the sensors.
     truth : bool
-        Whether what no tester measures comes along, as channels that begin with ``truth.``.
+        Whether to add quantities that testers cannot measure, as channels that begin with ``truth.``.
     about : mapping, optional
         Written into the record's attributes: ``axle`` (``"front"`` otherwise), ``vehicle``, ``date``, ...
 
@@ -99,12 +99,12 @@ def simulate_test(
     xarray.Dataset
         ``<wheel>.plate.z`` (m, up, zero at rest) and ``<wheel>.plate.force`` (N, compression positive) on ``time``
         (s). Attributes: ``<wheel>.static_load`` (N), ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``,
-        ``wheel_order``, ``simulated`` (protocols say so across the page), and what is said ``about`` it.
+        ``wheel_order``, ``simulated`` (marked across the page of protocols), and the facts ``about`` it.
 
     Raises
     ------
     SimulationError
-        For a rig that no tester takes, no equilibrium, or a run that does not reach its end.
+        If the rig does not fit on a tester, has no equilibrium, or the run stops before its end.
     DescriptionError
         For an unknown wheel.
 
@@ -148,7 +148,7 @@ def simulate_test(
 def _measured(
     run: ProgrammeRun, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
 ) -> dict[str, tuple[Array, str, str]]:
-    """What the tester of one side reads; ``noise`` is its source and its size in shares of the static load."""
+    """Readings of one side of the tester; ``noise`` is its generator and its size in shares of the static load."""
     cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
     static = run.static[channel(place, "tyre.force")]
     height = run.values[channel(place, "plate.z")] - run.static[channel(place, "plate.z")]
@@ -185,12 +185,12 @@ def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array
 
 
 def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
-    """Write a record as a lane keeps it: ``.csv`` with what is known of the car before the columns, or ``.nc``.
+    """Write a record as a test lane does: ``.csv`` with facts about the car before the columns, or ``.nc``.
 
     Parameters
     ----------
     record : xarray.Dataset
-        As :func:`simulate_test` gives it; plate heights are written in mm.
+        From :func:`simulate_test`; plate heights are written in mm.
     path : Path or str
         File with the suffix ``.csv`` or ``.nc``.
     force : bool
@@ -225,9 +225,9 @@ def _written(key: str, value: object) -> str:
 
 
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
-    """Say what a test of this rig on this tester would be worth less for.
+    """Report limitations of a test of this rig on this tester.
 
-    Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
+    Wheel loads (N) out of range, sweeps that are too fast or short, sample rates that are too low.
     """
     on, limits, programme = rig_on_tester(rig, tester), tester.limits, tester.programme
     findings = []

@@ -15,16 +15,16 @@ from jounce.core.programs import program_on_path
 from jounce.kernel.cache import cache_folder
 
 C = Path(__file__).parent / "c"
-_LARGE = 1_000_000  # bytes of C: beyond, -O2 takes half as long again for code without branches, and gains nothing
+_LARGE = 1_000_000  # bytes of C: above it -O2 takes 1.5 times as long for branch-free code, without gain
 _FLAGS = (
     "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=default", "-fPIC", "-shared",
     "-fno-tree-slp-vectorize",  # states are stored one by one: GCC loads two as a vector, which waits for both stores
 )  # fmt: skip
-_LONGEST = 600.0  # s
+_LONGEST = 600.0  # s: a compiler that takes longer hangs
 
 
 def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
-    """Find a compiler for all of some platforms: its name and command; None where there is none."""
+    """Find a compiler for all given platforms: its name and command; None without one."""
     for name in platforms:
         if name not in PLATFORMS:
             raise unknown(name, PLATFORMS, what="platform", where="export")
@@ -76,7 +76,7 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
 
 
 def _zig_folder(folder: Path) -> str:
-    """Where zig keeps the libraries of platforms, which take it minutes: jounce's cache, or what goes with the rest."""
+    """Folder for zig's libraries of platforms, which take minutes to build: jounce's cache, or a temporary one."""
     try:
         return str(cache_folder() / "zig")
     except RuntimeError:

@@ -1,4 +1,4 @@
-"""Expression graphs as C: each number a constant of its own, what two parts do alike a pair of them (``c/pairs.h``)."""
+"""Expression graphs as C: each number is a constant, equal operations of two parts are pairs (``c/pairs.h``)."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ _PAIRS = {
     "DIV": "over({0}, {1})", "SQ": "times({0}, {0})", "TWICE": "plus({0}, {0})", "NEG": "negative({0})",
     "INV": "over(both(1.0, 1.0), {0})", "BOTH": "both({0}, {1})",
 }  # fmt: skip
-"""C of each operation of pairs; all others are done number by number."""
+"""C of each operation on pairs; others are done number by number."""
 
-_LONG = 1_000_000  # characters of a function: slopes of a car, for whose registers GCC looks for a minute
+_LONG = 1_000_000  # characters of a function: above it GCC takes a minute to allocate registers
 
 
 class _Statements:
-    """Writes a function as statements: names and constants are the values, elements of arguments stand as they are."""
+    """Writes a function as statements: values are names and constants, or elements of arguments."""
 
     def __init__(self, arguments: Sequence[str]) -> None:
         self._arguments = arguments
@@ -69,7 +69,7 @@ class _Statements:
         return self._made[-1][1]
 
     def lines(self) -> list[str]:
-        """The statements; what divides several numbers is inverted once: a division takes as long as ten products."""
+        """The statements; a common divisor is inverted once, since a division takes as long as ten products."""
         divisors = Counter(values[1] for _, _, operation, values in self._made if operation == "DIV")
         inverted: dict[str, str] = {}
         result = []
@@ -87,7 +87,7 @@ class _Statements:
 
 
 def function_text(name: str, packed: Packed, takes: Sequence[str], gives: Mapping[str, int]) -> str:
-    """C of a function: its arguments ``takes``, its results ``gives`` with their sizes, one after the other."""
+    """C of a function with arguments ``takes`` and consecutive results ``gives`` with their sizes."""
     statements = _Statements(takes)
     emission = Emission(packed, statements)
     places = list(chain.from_iterable([f"{result}[{i}]" for i in range(size)] for result, size in gives.items()))

@@ -12,12 +12,12 @@ from jounce.exchange.fmu.variables import Variable, Variables
 
 FILE = "model"
 """Name of the binary in the archive."""
-STEP = 1e-3  # s, communication step that is suggested
+STEP = 1e-3  # s, suggested communication step: the output step of simulate
 
 
 @dataclass(frozen=True)
 class Head:
-    """What the description says of the whole: name and text of the model, the tool, the token that ties it to code."""
+    """Head of the description: name and text of the model, the tool, the token that identifies its code."""
 
     name: str
     text: str
@@ -32,7 +32,7 @@ def _text(value: float | bool) -> str:
 
 
 def _attributes(variable: Variable) -> dict[str, str]:
-    """What both versions write alike."""
+    """Attributes common to both versions."""
     attributes = {"name": variable.name, "valueReference": str(variable.reference)}
     if variable.text:
         attributes["description"] = variable.text
@@ -126,7 +126,7 @@ def _fmi2(variables: Variables, head: Head) -> ET.Element:
             for name in sources(2):
                 ET.SubElement(files, "File", name=name)
     table = _common(root, variables)
-    # Time is left out: FMILibrary asks for its start value. Variables are counted from 1.
+    # Time is omitted: FMILibrary requires its start value. Variables are numbered from 1.
     listed = [v for v in variables.everything if v.causality != "independent"]
     index = {v.reference: i for i, v in enumerate(listed, 1)}
     for v in listed:
@@ -155,7 +155,7 @@ def sources(version: int) -> tuple[str, ...]:
 
 
 def build_description() -> bytes:
-    """Text of ``sources/buildDescription.xml``, with which FMI 3.0 says how the sources are compiled."""
+    """Text of ``sources/buildDescription.xml``, the instructions of FMI 3.0 for compiling the sources."""
     root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=FILE)
     files = ET.SubElement(configuration, "SourceFileSet", language="C99")

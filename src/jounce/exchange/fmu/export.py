@@ -27,14 +27,14 @@ from jounce.parts import Rig
 from jounce.parts.testers import Tester, load_tester
 from jounce.simulation.controlled import AnyControl
 
-_OLDEST = (1980, 1, 1, 0, 0, 0)  # the first day that archives know: the same file for the same rig
+_OLDEST = (1980, 1, 1, 0, 0, 0)  # earliest date of archives: equal rigs give equal files
 _NAME = "jounce"
 _ICON = Path(__file__).parent / "icon" / "icon.png"
 
 
 @dataclass(frozen=True)
 class FmuExport(Plain):
-    """What was written.
+    """Result of an export.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class FmuExport(Plain):
     states, parameters, indicators : int
         Counts.
     findings : tuple of Finding
-        What the importer must know.
+        Information for the importer.
     """
 
     path: Path
@@ -88,7 +88,7 @@ def export_fmu(
     Parameters
     ----------
     rig : Rig or Mechanism
-        Rig or vehicle; or a mechanism of one's own with a value for each parameter (``mechanism.<path>``), which starts
+        Rig or vehicle; or a user's mechanism with a value for each parameter (``mechanism.<path>``), which starts
         in its design pose.
     path : Path or str
         File to write, ``.fmu``.
@@ -103,19 +103,19 @@ def export_fmu(
         Put the rig on a tester of shock absorbers: inputs are the angles of the exciters (rad) with their rates; the
         tester's numbers are parameters ``tester.<name>``.
     axle : {"front", "rear"}
-        Which axle of a vehicle stands on the tester.
+        Axle of a vehicle on the tester.
     controller_only : bool
-        Write ``control`` by itself, as it is tuned for the rig: its inputs are the channels that it measures, as
+        Write ``control`` alone, as tuned for the rig: its inputs are the channels that it measures, as
         changes from static equilibrium, its outputs the commands.
     adjoint : bool
-        Give adjoint derivatives, too (FMI 3.0): larger code.
+        Add adjoint derivatives (FMI 3.0): larger code.
     force : bool
         Overwrite an existing file.
 
     Returns
     -------
     FmuExport
-        What was written, with findings.
+        The file and findings.
 
     Raises
     ------
@@ -197,7 +197,7 @@ def export_fmu(
         if model.reference is not None:
             files["extra/jounce/reference.csv"], note = reference(model.reference)
             notes += note
-    except SimulationError as error:  # it has an equilibrium, and is a model for whoever can run it
+    except SimulationError as error:  # it has an equilibrium, and other programs may run it
         text = f"no reference run is in the FMU: {error}"
         findings.append(Finding(str(file), "warning", text))
     files["documentation/index.html"] = page(variables, head, notes)

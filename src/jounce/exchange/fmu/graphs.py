@@ -1,4 +1,4 @@
-"""A model as C: its functions behind the plain names that ``c/core.h`` declares."""
+"""A model as C: its functions under the names declared in ``c/core.h``."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Graphs:
 
 
 def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = True) -> Graphs:
-    """Write a model out as functions; what depends on parameters alone is taken out of them and computed once.
+    """Write a model out as functions; parts that depend on parameters only are computed once.
 
     ``law`` is a controller's function of (memory, measurements and time, numbers, nothing). ``adjoint`` adds the
     transposed derivatives.
@@ -84,7 +84,7 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
 
 
 def _in_pairs(model: Model) -> Parts:
-    """The parts that are alike, two by two: as many numbers as the vectors of every 64-bit processor hold."""
+    """Similar parts in pairs: two numbers fit into the vectors of every 64-bit processor."""
     if not model.alike:
         return Parts((), ())
     prefixes, groups = model.alike
@@ -117,7 +117,7 @@ def header(
 ) -> str:
     """Text of ``model.h``: counts, start values (x0, u0, p0, ...), lists of numbers and of indices.
 
-    ``period`` is that of the controller, s; ``at_rest`` says whether it starts in equilibrium unless told otherwise.
+    ``period`` is that of the controller, s; ``at_rest`` is the default for a start in equilibrium.
     """
     model = graphs.model
     counts = {

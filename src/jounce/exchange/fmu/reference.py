@@ -1,4 +1,4 @@
-"""What an FMU shall give: our own run on a smooth bump or motion, for whoever received it to compare with."""
+"""Reference results of an FMU: jounce's run on a smooth bump or motion, for comparison by its recipient."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from jounce.simulation.problem import excitation
 from jounce.simulation.run import simulate
 from jounce.testers.rig import TesterRig
 
-TOLERANCE = 1e-8
+TOLERANCE = 1e-8  # the reference has nine digits
 _BUMP = Trial(road=Versine(height=0.01, length=0.5, start=0.1), speed=5.0, duration=0.3)
 _SECONDS, _STEP, _TURNS = 0.3, 1e-3, 10.0  # s, s, Hz
 Given = Callable[[], tuple[Mapping[str, Array], str]]
@@ -65,7 +65,7 @@ def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
 
 
 def reference(given: Given) -> tuple[bytes, str]:
-    """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and what to say of it."""
+    """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and a text about it."""
     columns, what = given()
     rows = [",".join(map(structured, columns))]
     rows += [",".join(f"{value + 0.0:.9g}" for value in row) for row in np.column_stack([*columns.values()])]

@@ -1,4 +1,4 @@
-"""What an FMU is written of: a rig, a rig on a tester, a mechanism; each with the numbers that it starts from."""
+"""Subjects of FMUs: a rig, a rig on a tester, a mechanism; each with its start values."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.testers.rig import rig_on_tester, tester_numbers
 
-_MOTION = 0.01  # m, the motion whose size of each state is its nominal value
-_BAND = 10.0  # how many times the band of our own events an importer is given: it locates events less sharply
-_MECHANISM_BAND = 1e-12  # m, m/s: of switches whose size nobody knows
+_MOTION = 0.01  # m, typical motion that sets the nominal values of the states
+_BAND = 10.0  # ratio of an importer's event band to jounce's: importers locate events less sharply
+_MECHANISM_BAND = 1e-12  # m, m/s: of switches of unknown size
 _NOTHING: dict[str, Array] = {"g0": np.zeros(0), "memory0": np.zeros(0), "rest0": np.zeros(0)}
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A model with what its FMU starts from.
+    """A model with the start values of its FMU.
 
     Attributes
     ----------
     name : str
-        What the model is called.
+        Name of the model.
     compiled : Compiled
         Its equations.
     numbers : dict
@@ -58,11 +58,11 @@ class Subject:
     law, period, measured, commands
         Of the controller inside: its function, s, places of the outputs it sees, names of the tracks it sets.
     track_units : dict
-        SI units of tracks that are known here alone.
+        SI units of tracks, where these do not define them.
     sampled : bool
-        Whether inputs are looked at only at the controller's instants, so that nobody asks for their rates.
+        Whether inputs are used only at the controller's instants, so that their rates are not needed.
     findings : list of Finding
-        What the importer must know.
+        Information for the importer.
     """
 
     name: str
@@ -86,7 +86,7 @@ class Subject:
         return [self.compiled.facts.tracks.index(name) for name in self.commands]
 
     def variables(self) -> Variables:
-        """What an importer sees."""
+        """Variables for an importer."""
         names = self.law.numbers if self.law else ()
         gains = dict(zip(names, map(float, self.numbers["g0"]), strict=True))
         start = {name: self.numbers[f"{name}0"] for name in "xup"}
@@ -154,17 +154,17 @@ def _of_rig(rig: Rig, control: AnyControl | None) -> Subject:
     if law:
         memory[len(memory) - len(rests) :] = list(rests.values())
     numbers = _at_rest(compiled, p, compiled.inputs(rests))
-    seen = compiled.evaluate("output", numbers["x0"], numbers["u0"], p, numbers["m0"])[measured]
+    measured_values = compiled.evaluate("output", numbers["x0"], numbers["u0"], p, numbers["m0"])[measured]
     paths = compiled.facts.parameters
     return Subject(
-        _name(rig), compiled, {**numbers, "g0": gains, "memory0": memory, "rest0": seen},
+        _name(rig), compiled, {**numbers, "g0": gains, "memory0": memory, "rest0": measured_values},
         {path: f"rig.{path}" for path in paths}, _quantities(rig, paths), partial(of_rig, rig, compiled.facts, control),
         law=law, period=1.0 / loop.first.rate if loop else 1.0, measured=measured, commands=names, findings=findings,
     )  # fmt: skip
 
 
 def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
-    """The controller of a rig by itself: its channels are inputs, its commands outputs; nothing in it moves."""
+    """The controller of a rig alone: its channels are inputs, its commands outputs; it has no continuous states."""
     loop = close_loop(rig, control)
     if loop is None:
         raise DescriptionError(

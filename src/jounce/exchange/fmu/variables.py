@@ -1,4 +1,4 @@
-"""What an importer sees of a model: one list of variables, in the order of the value references in ``c/core.h``."""
+"""Variables of a model for importers: one list, in the order of the value references in ``c/core.h``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jounce.mechanics.facts import is_road, speed_of
 from jounce.mechanics.model import Model
 
 LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2", "angle": "rad"}
-"""Units of the tracks that are no roads, by their last word; what is not here is a command, whose unit nobody says."""
+"""Units of tracks other than roads, by their last word; others are commands of unknown unit."""
 
 
 @dataclass(frozen=True)
@@ -29,13 +29,13 @@ class Variable:
     name, text : str
         Structured name, and what it is.
     causality, variability, initial, unit : str
-        As FMI has them; the unit is SI, empty where it has none.
+        As in FMI; the unit is SI, empty without one.
     start, least, most : float or bool, optional
         Value before anyone sets it; range.
     derivative : int, optional
         Reference of the variable whose rate this is.
     depends : tuple of int, optional
-        References of the states and inputs it follows from; None where nobody asks.
+        References of the states and inputs it depends on; None if not needed.
     """
 
     reference: int
@@ -108,7 +108,7 @@ def list_variables(
         first[block], at = at, at + part.shape[0]
     depends = _dependencies(model, first)
     outputs = {output.name: output for output in model.outputs}
-    # A channel that is a state itself is that state, so that nobody finds the same signal twice.
+    # A channel that is a state is listed once, as that state.
     same = {
         name
         for i, name in enumerate(outputs)
@@ -116,7 +116,7 @@ def list_variables(
     }
     known_units = units or {}
     ins = [row for track in model.tracks for row in _inputs(track, order, known_units.get(track))]
-    taken = {name for name, _, _ in ins} | set(outputs)  # rates that are not listed, too: no name means two things
+    taken = {name for name, _, _ in ins} | set(outputs)  # also rates that are not listed, so that names are unique
     own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
     state_units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
     states = [
@@ -204,15 +204,15 @@ def list_variables(
 
 
 def _inputs(track: str, order: int, given: str | None = None) -> list[tuple[str, str, str]]:
-    """Name, unit and text of a track's value and its rates; the unit is ``given`` where it is known."""
+    """Name, unit and text of a track's value and its rates; the unit is ``given`` if known."""
     unit = given or ("m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], ""))
     rate = speed_of(track)
     second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
     text = {"m": "height of the road under the wheel, up", "rad": "angle of the exciter: at 0 at mean height, rising"}
-    told = "its rate; where it stays zero, co-simulation takes it from the values"
+    rate_text = "its rate; where it stays zero, co-simulation takes it from the values"
     rows = [
         (track, unit, "" if given else text.get(unit, "")),
-        (rate, _per_second(unit), told),
+        (rate, _per_second(unit), rate_text),
         (second, _per_second(_per_second(unit)), "its second rate"),
     ]
     return rows[:order]
