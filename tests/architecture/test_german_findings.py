@@ -6,36 +6,17 @@ import json
 import re
 from functools import cache
 from itertools import chain, product
-from pathlib import Path
-
-import pytest
 
 from jounce.inspection import reasons
 from jounce.inspection.limits import load_limits
 from jounce.inspection.methods import QUANTITIES
 from rules import ROOT
-from rules.finding_templates import german_of, progress_of, templates_of
+from rules.finding_templates import german_of, progress_of
 
 CATALOGUE: dict[str, dict[str, str]] = json.loads(
     (ROOT / "viewer" / "src" / "workbench" / "findings.json").read_text(encoding="utf-8")
 )
 LIBRARY = ROOT / "src" / "jounce"
-PARTS = {
-    "identification": ["identify"],
-}
-ON_NO_PAGE = {"identify/damper_findings.py", "identify/damper_record.py", "damper_signs", "dissipating", "turned"}
-"""What only the command line does, modules and functions: laws of dampers from their records."""
-
-
-def _said_in(places: list[str]) -> set[str]:
-    """Every message of modules and of those in folders."""
-    files = [file for place in places for file in (sorted((LIBRARY / place).rglob("*.py")) or [LIBRARY / place])]
-    return {
-        template
-        for file in files
-        if file.relative_to(LIBRARY).as_posix() not in ON_NO_PAGE
-        for template in templates_of(file, but=ON_NO_PAGE)
-    }
 
 
 def _fits(template: str, message: str) -> bool:
@@ -46,20 +27,6 @@ def _fits(template: str, message: str) -> bool:
 @cache
 def _pattern(template: str) -> re.Pattern[str]:
     return re.compile(".*?".join(map(re.escape, template.split("#"))), re.DOTALL)
-
-
-@pytest.mark.parametrize("of", PARTS)
-def test_every_finding_has_its_german_and_no_german_is_left_over(of: str) -> None:
-    said = _said_in(PARTS[of])
-    assert len(said) > 6  # the sources were read
-    known = CATALOGUE[of]
-    assert [one for one in sorted(said) if not any(_fits(one, english) for english in known)] == []
-    assert [one for one in known if not any(_fits(template, one) for template in said)] == []
-
-
-@pytest.mark.parametrize("of", [*PARTS, "words"])
-def test_both_languages_are_filled_with_as_much(of: str) -> None:
-    assert [one for one, german in CATALOGUE[of].items() if one.count("#") != german.count("#")] == []
 
 
 def test_reasons_of_a_grading_are_said_as_in_its_protocol() -> None:
@@ -101,33 +68,3 @@ def test_what_a_job_says_as_it_goes_on_has_its_german() -> None:
     assert {"loading", "simulating # variants: # %", "compiling the loop # (once on this machine)"} <= said
     known = json.loads((ROOT / "viewer" / "src" / "workbench" / "german.json").read_text(encoding="utf-8"))
     assert [one for one in sorted(said) if not any(_fits(one, english) for english in known)] == []
-
-
-def test_a_message_is_read_from_its_source(tmp_path: Path) -> None:
-    file = tmp_path / "finds.py"
-    file.write_text(
-        "def looks(x, other):\n"
-        "    text = f'it is {x:g} m'\n"
-        "    yield Finding('a', 'note', text + (f' at {x}' if x else '; why?'))\n"
-        '    text = f\'{"low" if x else "high"} by {x} %\'\n'
-        "    yield _warn('b', text, x)\n"
-        "    yield Finding('c', 'note', other)\n"
-        "    def add(severity, said, value=None):\n"
-        "        found.append(Finding('d', severity, said, value))\n"
-        "    text = f'{x} m above'\n"
-        "    if x:\n"
-        "        text += f', as {other} is'\n"
-        "    add('note', text)\n"
-        "    add('note', SHORT.format(other))\n"
-        "def _warn(place, said, x):\n"
-        "    return Finding(place, 'warning', said, x)\n"
-        "SHORT = 'short of {:.3g} m'\n"
-        "def not_shown():\n"
-        "    Finding('e', 'note', 'on no page')\n"
-    )
-    said = {"it is # m at #", "it is # m; why?", "low by # %", "high by # %"}
-    assert templates_of(file, but={"not_shown"}) == said | {"# m above", "# m above, as # is", "short of # m"}
-    assert german_of("the {name} is longer by {value:.3g} mm", "um {value:.3g} mm länger: {name}") == (
-        "the # is longer by # mm",
-        "um #2 mm länger: #1",
-    )

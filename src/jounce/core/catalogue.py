@@ -19,9 +19,8 @@ from typing import Any, Literal, get_args
 Severity = Literal["note", "warning", "problem"]
 Language = Literal["en", "de"]
 FACTORS = {
-    "mm": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "deg/s": 180.0 / math.pi, "ms": 1e3, "us": 1e6, "um": 1e6,
-    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "kJ": 1e-3, "kW": 1e-3, "bar": 1e-5, "MPa": 1e-6, "cm": 1e2, "km/h": 3.6,
-    "min": 1.0 / 60.0, "MB": 1e-6,
+    "mm": 1e3, "mm/s": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "ms": 1e3, "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3,
+    "kJ": 1e-3, "kW": 1e-3, "MPa": 1e-6, "bar": 1e-5, "cm": 1e2, "km/h": 3.6,
 }  # fmt: skip
 """Shown value of one SI unit, by the unit that may stand behind a format; what stands beside the field is SI."""
 _PACKAGES = Path(__file__).parent.parent
@@ -115,4 +114,4 @@ class _Filled(string.Formatter):
         )
 
 
-_GERMAN_UNITS = {"deg": "°", "deg/s": "°/s"}
+_GERMAN_UNITS = {"deg": "°"}

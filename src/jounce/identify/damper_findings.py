@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.catalogue import Severity
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.damper_laws import damper_law, regularisation_velocity
@@ -40,64 +39,41 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
     """Findings about a fitted law; ``at_bound`` names the parameters that ended at a limit of their range."""
     findings: list[Finding] = []
 
-    def add(severity: Severity, text: str, value: float | None = None) -> None:
-        findings.append(Finding(name, severity, text, value))
+    def add(code: str, value: float | None = None, /, **numbers: Any) -> None:
+        findings.append(finding(code, name, value, **numbers))
 
     law, parameters = damper_law(result.law, motion), result.parameters
     shapes = [key for (key, _), is_signed in zip(law.shapes, law.signed, strict=True) if not is_signed]
     if not law.hysteretic:
         hysteresis = hysteresis_share(motion)
         if hysteresis > 0.04:
-            text = (
-                f"the force differs by {100.0 * hysteresis:.0f} % of its range between rising and falling velocity: "
-                "hysteresis, which no F(v) law can reproduce; try 'tanh-hysteretic' or 'bouc-wen'."
-            )
-            add("warning", text, hysteresis)
+            add("identify.hysteresis", hysteresis, share=hysteresis)
         offset = parameters["offset"]
         if offset.interval and not offset.has(0.0):
-            text = (
-                f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
-                "of the damper table: put it into the preload."
-            )
-            add("note", text, offset.value)
+            add("identify.force_offset", offset.value, offset=offset.value)
         for key in ("coefficient", "bump_coefficient", "rebound_coefficient"):
             if key in parameters and parameters[key].value < 0.0:
-                add("problem", f"{key} is negative: the law would feed energy into the motion.", parameters[key].value)
+                add("identify.negative_coefficient", parameters[key].value, key=key)
         if result.friction is None:
             step, speed = _force_step(motion) or (None, 0.0)
-            if step is not None and speed > regularisation_velocity(motion):
-                text = (
-                    f"the force rises steeply up to some {speed:.2g} m/s, by about {step:.3g} N, and slower beyond: a "
-                    "degressive valve rather than dry friction; 'blow-off' or 'tanh-hysteretic' follows it."
-                )
-                add("warning", text, step)
-            elif step is not None:
-                text = (
-                    f"the force jumps by about +-{step:.3g} N where the velocity changes sign: dry friction; fit with "
-                    "friction=True or a hysteretic law."
-                )
-                add("warning", text, step)
+            if step is not None:
+                is_valve = speed > regularisation_velocity(motion)
+                code = "identify.degressive_valve" if is_valve else "identify.friction_step"
+                add(code, step, speed=speed, step=step)
         if "force" in result.damper and np.any(np.diff(result.damper["force"]) < 0.0):
-            add("warning", "the fitted curve falls with rising velocity in places; lower the degree.")
+            add("identify.law_falls")
     for key in at_bound:
-        text = (
-            f"{key} ended at the limit of its range ({parameters[key].value:.4g} {result.units[key]}): the "
-            "record does not determine it."
-        )
-        add("warning", text, parameters[key].value)
+        value = parameters[key].value
+        add("identify.law_at_bound", value, key=key, value=value, unit=result.units[key])
     for key, one in parameters.items():
         vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)
         if vague and key in shapes:
-            text = (
-                f"{key} = {one.value:.3g} +- {one.standard_error:.2g} {result.units[key]} is poorly determined: the "
-                "record has too few samples where the force reverses."
-            )
-            add("note", text, one.standard_error)
+            numbers = {"value": one.value, "error": one.standard_error}
+            add("identify.poorly_determined", one.standard_error, key=key, unit=result.units[key], **numbers)
     if result.cycles < 3.0:
-        add("note", f"only {result.cycles:.1f} cycles: the standard errors rest on few repetitions.", result.cycles)
+        add("identify.few_cycles", result.cycles, cycles=result.cycles)
     if result.r2 < 0.9:
-        text = f"the law explains only {100.0 * result.r2:.0f} % of the force; try another one and compare the curves."
-        add("warning", text, result.r2)
+        add("identify.law_explains_little", result.r2, share=result.r2)
     return findings
 
 
@@ -134,12 +110,8 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
     columns = np.column_stack([place, place * force / reach, np.ones_like(force), force, *bent])
     drift, share = linear_least_squares(columns, residual)[0][:2] * (1.0, 1.0 / reach)
     if abs(share) > _FADED:
-        way = "falls" if share < 0.0 else "grows"
-        text = (
-            f"the damping {way} by {100.0 * abs(share):.0f} % from the first to the last sample (oil that warms up?): "
-            "the law is that of the middle of the record, and its interval does not count the change; fit parts of it."
-        )
-        findings.append(Finding(name, "warning", text, share))
+        code = "identify.damping_falls" if share < 0.0 else "identify.damping_grows"
+        findings.append(finding(code, name, share, change=abs(share)))
     if abs(drift) > _DRIFTED * reach:
         findings.append(finding("identify.rest_force_drifts", name, drift, drift=drift))
     return findings

@@ -199,11 +199,7 @@ def _check_velocity(
         findings.append(finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step))
     resolution = quantum_of(np.round(velocity, 9))
     if resolution > 1e-3 * float(np.abs(velocity).max()):
-        text = (
-            f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: motion below a few of these is "
-            "not resolved."
-        )
-        findings.append(Finding(name, "note", text, resolution))
+        findings.append(finding("identify.velocity_steps", name, resolution, step=resolution))
     return resolution
 
 

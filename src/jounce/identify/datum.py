@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from jounce.core.catalogue import Severity
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
@@ -27,11 +26,6 @@ _TURNED = -0.6  # correlation with the model below which a record is turned
 _TINY = 0.002  # of the range of the record: a constant below this does no harm
 _SMALL = 0.02  # of the range of the record: a constant below this is no datum
 _AT_REST, _ABSOLUTE = 0.1, 0.35  # of the static value: how far zeros, and start values of the model, may be off
-_MEANING: dict[Datum, str] = {
-    "rest": "zero at rest",
-    "undeformed": "zero where the model counts from (undeformed springs, design position, no force)",
-    "free offset": "an unknown constant is fitted with the parameters",
-}
 
 
 @dataclass(frozen=True)
@@ -132,16 +126,11 @@ def start_findings(starts: Starts) -> list[Finding]:
 def _findings(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]) -> list[Finding]:
     quiet = [trial for trial, start in starts if start.recorded is not None]
     moving = [trial for trial, start in starts if start.recorded is None]
-    text = f'datum "{datum}" taken from the start of {_listed(quiet or moving)}: {_MEANING[datum]}'
-    if datum == "free offset":
-        differ = len({start.datum() for _, start in starts if start.recorded is not None}) > 1
-        text += (
-            "; the starts of the trials say different things"
-            if differ
-            else "; the record is neither zeroed at rest nor counts as the model does"
-        )
-    severity: Severity = "warning" if datum == "free offset" else "note"
-    found = [Finding(channel, severity, f"{text}; state it as datum of its sensor")]
+    differ = len({start.datum() for _, start in starts if start.recorded is not None}) > 1
+    code = {"rest": "identify.datum_rest", "undeformed": "identify.datum_undeformed"}.get(datum, "identify.datum_free")
+    if datum == "free offset" and differ:
+        code = "identify.datums_differ"
+    found = [finding(code, channel, trials=_listed(quiet or moving))]
     if quiet and moving:
         found.append(finding("identify.datum_in_motion", channel, trials=_listed(moving)))
     return found

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
@@ -1081,61 +1080,40 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     p, friction, cycles, motion = result.parameters, result.coulomb_force, result.cycles, MOTIONS[result.motion]
     findings: list[Finding] = []
 
-    def add(severity: Severity, text: str, value: float) -> None:
-        findings.append(Finding(name, severity, text, value))
+    def add(code: str, value: float, /, **numbers: Any) -> None:
+        findings.append(finding(code, name, value, **numbers))
 
     changed = abs(result.decrements[-1] / result.decrements[0] - 1.0) if len(result.decrements) > 1 else 0.0
     if _is_clear(friction) and changed > _SAME:
-        text = (
-            f"the logarithmic decrement changes from {result.decrements[0]:.3f} to {result.decrements[-1]:.3f} as the "
-            f"amplitude falls: dry friction; use the combined estimate (viscous {result.damping_coefficient.value:.4g} "
-            f"{spoken(motion.damping)} and {friction.value:.3g} {spoken(motion.force)}), not the decrement. A damper "
-            "that is firmer in one direction can look the same: trials tell the two apart."
-        )
-        add("warning", text, friction.value)
+        first, last = result.decrements[0], result.decrements[-1]
+        estimates = {"damping": result.damping_coefficient.value, "friction": friction.value}
+        units = {"damping_unit": spoken(motion.damping), "force_unit": spoken(motion.force)}
+        add("identify.decrement_changes", friction.value, first=first, last=last, **estimates, **units)
     drag = result.quadratic_drag
-    for value, what in ((p.friction_deflection, "dry friction"), (p.damping_ratio, "viscous damping")):
-        if value == 0.0:
-            text = f"the decay shows no {what}: its best fit would not be above 0, where the others were fitted."
-            add("note", text, value)
+    if p.friction_deflection == 0.0:
+        add("identify.no_dry_friction", 0.0)
+    if p.damping_ratio == 0.0:
+        add("identify.no_viscous_damping", 0.0)
     if drag is not None and drag.value > 0.0:
-        text = (
-            f"the decay shows quadratic drag, {drag.value:.4g} {spoken(motion.drag)}, which makes the logarithmic "
-            "decrement grow with the amplitude: damping coefficient and dry friction hold beside it."
-        )
-        add("warning", text, drag.value)
+        add("identify.quadratic_drag", drag.value, drag=drag.value, unit=spoken(motion.drag))
     reach, begins = abs(p.release_deflection), abs(p.release_deflection) * p.angular_frequency**2
     if reach > math.pi if motion.name == "rotation" else begins > _MOST_ACCELERATION:
-        how = motion.say(reach) if motion.name == "rotation" else f"{reach:.3g} m and {begins / 9.81:.0f} g"
-        text = (
-            f"the decay begins with {how}, as no suspension is let go: check the unit of the "
-            "record; friction and drag depend on it, damping does not."
-        )
-        add("warning", text, reach)
+        begin = motion.say(reach) if motion.name == "rotation" else f"{reach:.3g} m and {begins / 9.81:.0f} g"
+        add("identify.decay_begins_far", reach, begin=begin)
     if cycles < 1.5:
-        text = f"only {cycles:g} cycles: viscous damping and dry friction can hardly be told apart; see the intervals."
-        add("warning", text, cycles)
+        add("identify.decay_few_cycles", cycles, cycles=cycles)
     samples = 2.0 * math.pi / p.angular_frequency / step
     if samples < 20.0:
-        add("warning", f"only {samples:.1f} samples per cycle; sample at least 20.", samples)
+        add("identify.few_samples_per_cycle", samples, samples=samples)
     if result.r2 < 0.98:
-        text = (
-            f"the fitted decay explains only {100.0 * result.r2:.1f} % of the record: not the free decay of one mass "
-            "with viscous damping and friction, or much noise; look at both curves."
-        )
-        add("problem", text, result.r2)
+        add("identify.decay_explains_little", result.r2, share=result.r2)
     elif spread.correlation_time > 4.0 and result.rms_residual > 1e-6 * abs(p.release_deflection):
-        text = "successive residuals are correlated: the model lacks a small effect; the intervals allow for it."
-        add("note", text, spread.correlation_time)
+        add("identify.residuals_correlated", spread.correlation_time)
     if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > _OFF:
         share = result.stiffness.value / stiffness - 1.0
-        text = (
-            f"{motion.inertia_word} and frequency give {result.stiffness.value:.5g} {spoken(motion.stiffness)}, "
-            f"{100 * share:+.1f} % from the given {stiffness:.5g} {spoken(motion.stiffness)}: check "
-            f"{motion.inertia_word}, stiffness{'' if motion.name == 'rotation' else ' at the wheel'}, clock, and what "
-            "else moves."
-        )
-        add("warning", text, share)
+        code = "identify.stiffness_off" if motion.name == "rotation" else "identify.wheel_stiffness_off"
+        both = {"value": result.stiffness.value, "given": stiffness, "excess": share}
+        add(code, share, inertia=motion.inertia_word, unit=spoken(motion.stiffness), **both)
     return findings
 
 

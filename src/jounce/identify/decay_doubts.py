@@ -61,12 +61,8 @@ def spring_that_is_no_line(
     share = float(found[0]) * float(squares[0]) / float(found[1])
     if abs(share) < _BENT or not (bend := spread.estimates(found)[0]).interval or bend.has(0.0):
         return []
-    text = (
-        f"the frequency changes from {1.0 / periods[0]:.3g} to {1.0 / periods[-1]:.3g} Hz as the amplitude falls: the "
-        f"spring is {'stiffer' if share > 0.0 else 'softer'} at large deflections, which neither damping nor friction "
-        "is; both make up for it and may be off by more than their intervals. Begin later, where swings are small."
-    )
-    return [Finding(name, "warning", text, share)]
+    code = "identify.spring_stiffens" if share > 0.0 else "identify.spring_softens"
+    return [finding(code, name, share, first=1.0 / periods[0], last=1.0 / periods[-1])]
 
 
 def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -1166,11 +1167,9 @@ def _one_sided(calibration: Calibration) -> list[Finding]:
         return []
     firm, soft = ("bump", "rebound") if more > 0.0 else ("rebound", "bump")
     firmer, softer = line + abs(more), max(line - abs(more), 0.0)
-    text = (
-        f"firmer in {firm} than in {soft} ({firmer:.3g} beside {softer:.3g} N s/m), which one coefficient cannot say: "
-        "give the damper bump_coefficient and rebound_coefficient instead, and free both"
-    )
-    return [Finding("strut.damper", "warning", text, 2.0 * more)]
+    return [
+        finding("identify.one_sided", "strut.damper", 2.0 * more, firm=firm, soft=soft, firmer=firmer, softer=softer)
+    ]
 
 
 _LINE = "strut.damper.coefficient"
@@ -1201,26 +1200,24 @@ def _findings(
         found.append(finding("identify.bench_contradicted", path, by=by))
     for name, stray in strays.items():
         drawn = [item.path for item, draw in zip(one.free, stray.draws, strict=True) if draw > _DRAWN]
-        listed = "no parameter" if len(drawn) == len(one.free) else ", ".join(drawn)
-        counts = {0: "no parameter depends on it", len(one.free): f"{listed} of this update counts as identified"}
-        doubted, lies = nuisances[name], f"{abs(stray.to):.1f} standard deviations"
+        if len(drawn) == len(one.free):
+            outcome = finding("identify.none_identified", "")
+        else:
+            code = "identify.not_identified" if drawn else "identify.none_depends"
+            outcome = finding(code, "", names=", ".join(drawn))
+        doubted = nuisances[name]
+        numbers: dict[str, Any] = {"deviations": abs(stray.to), "group": doubted.group, "outcome": outcome}
         if doubted.group in _STATED and doubted.unit == "1":
-            share = 100.0 * stray.to * doubted.deviation
-            lies = f"{abs(share):.2g} % {'lower' if share < 0.0 else 'higher'} than stated, {lies}"
-        text = (
-            f"wants to be {lies} from what was taken for possible: the model lacks something that it makes up for, or "
-            f"it has to be stated better (doubt.{doubted.group}); "
-            + counts.get(len(drawn), f"not identified for it: {listed}")
-        )
-        found.append(Finding(name, "warning", text, stray.to))
+            share = stray.to * doubted.deviation
+            code = "identify.wants_to_be_lower" if share < 0.0 else "identify.wants_to_be_higher"
+            found.append(finding(code, name, stray.to, share=abs(share), **numbers))
+        else:
+            found.append(finding("identify.wants_to_be_off", name, stray.to, **numbers))
     worst = max(unexplained, key=lambda name: unexplained[name])
     if unexplained[worst] > USEFUL:
-        more = f"; more freedom for {reducer} would leave {100.0 * reduced:.0f} % of all" if reducer else ""
-        text = (
-            f"{100.0 * unexplained[worst]:.0f} % of what is left of the residual with all doubts fitted is no noise: "
-            f"nothing that was doubted explains it{more}"
-        )
-        found.append(Finding(worst, "note", text, unexplained[worst]))
+        code = "identify.more_freedom" if reducer else "identify.unexplained"
+        share = unexplained[worst]
+        found.append(finding(code, worst, share, share=share, freed=reducer, left=reduced))
     return found
 
 

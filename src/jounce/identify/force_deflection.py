@@ -172,25 +172,23 @@ def _compression_positive(
     trial: ForceDeflectionTrial, deflection: Array, force: Array, findings: list[Finding]
 ) -> tuple[Array, Array]:
     motion = MOTIONS[trial.motion]
-    loaded = "compression" if motion.name == "translation" else "the direction of loading"
 
-    def turned(what: str, stated: str | None, key: str, wrong: str) -> None:
-        text = f"the {what} was recorded negative in {loaded}; its sign was reversed."
-        if stated is not None:
-            text = f"{wrong} with {key} = {stated!r} as stated; its sign was reversed: check the statement."
-        findings.append(Finding(trial.name, "note" if stated is None else "warning", text))
+    def turned(word: str, stated: str | None, key: str, code: str) -> None:
+        if stated is None:
+            code = "identify.sign_reversed" if motion.name == "translation" else "identify.sign_of_loading_reversed"
+        findings.append(finding(code, trial.name, word=word, key=key, stated=stated))
 
     deflection = sign_of(trial.stroke_positive, "stroke", where=trial.name) * deflection
     force = sign_of(trial.force_positive, "force", where=trial.name) * force
     away = deflection - deflection[0]
     if -away.min() > away.max():
         deflection = -deflection
-        turned(motion.deflection_word, trial.stroke_positive, "stroke_positive", "the trial goes into extension")
+        turned(motion.deflection_word, trial.stroke_positive, "stroke_positive", "identify.stated_stroke_reversed")
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        turned(motion.force_word, trial.force_positive, "force_positive", "the force pulls where a spring pushes back")
+        turned(motion.force_word, trial.force_positive, "force_positive", "identify.stated_force_reversed")
     return deflection, force
 
 

@@ -111,16 +111,13 @@ def _delay(
     share = 1.0 - after / left
     if share < _DELAY or abs(lag) * rate < _SAMPLES:
         return None
-    way = "later" if lag > 0.0 else "earlier"
-    than, hint = "the updated model", 'fit with align = "lag"'
-    if is_aligned:
-        than = "the other channels of its trial"
-        hint = "a filter or a logger delays one of them; state low_pass of its sensor"
-    text = (
-        f"the record comes {1e3 * abs(lag):.2g} ms {way} than {than} in {trials}, which explains {100.0 * share:.0f} % "
-        f"of what is left, beside what the fitted values made up for: {hint}"
-    )
-    return share, Finding(channel, "warning", text, lag)
+    code = {
+        (True, False): "identify.later_than_model",
+        (False, False): "identify.earlier_than_model",
+        (True, True): "identify.later_than_channels",
+        (False, True): "identify.earlier_than_channels",
+    }[lag > 0.0, is_aligned]
+    return share, finding(code, channel, lag, lag=abs(lag), trials=trials, share=share)
 
 
 def beyond_noise(parts: Sequence[LeftOver]) -> float | None:

@@ -564,17 +564,10 @@ def _missed(found: Posterior, predictions: Mapping[str, Mapping[str, PredictionB
     missed = sorted(one for one in every if one[0] < _LITTLE)
     if not missed:
         return []
-    what = (
-        "the model lacks something: count it (doubt, from three trials on)"
-        if found.counted == "noise only"
-        else "the model lacks something that is in no doubt"
-    )
     share, place = missed[0]
-    text = (
-        f"of {len(missed)} of {len(every)} recorded signals less than {100.0 * _LITTLE:.0f} % of the samples lie in "
-        f"the 95 % band, least of {place} ({100.0 * share:.0f} %): {what}"
-    )
-    return [Finding("predictions", "note", text, share)]
+    code = "identify.missed_by_noise" if found.counted == "noise only" else "identify.missed"
+    numbers: dict[str, Any] = {"signals": len(missed), "all": len(every), "little": _LITTLE}
+    return [finding(code, "predictions", share, place=place, share=share, **numbers)]
 
 
 _LITTLE = 0.8

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
-from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
@@ -31,7 +30,6 @@ _SLOW = 0.2  # of the peak speed: the part of a record that shows the force at r
 _SMALL = 0.005  # of the range of the force: less is no gas force
 _PULLS = 0.05  # of the range of the force: no gas pulls so much, and no hysteresis looks like it
 _UNLIKE = 0.03  # difference of bump and rebound over their sum, from which swapping them matters
-_STATE = "State stroke_positive and force_positive (compression, or extension and tension)."
 _CLEAR = 0.1  # by which an opposite must be clearer than a likeness
 _IDLE = 0.02  # work over the work of the sizes: less is no damper
 
@@ -151,20 +149,15 @@ def damper_signs(
         sign_of(force_positive, "force", where=name),
     )
 
-    def add(severity: Severity, text: str, value: float | None = None) -> None:
-        findings.append(Finding(name, severity, text, value))
+    def add(code: str, value: float | None = None, /, **numbers: Any) -> None:
+        findings.append(finding(code, name, value, **numbers))
 
     x, v, f = stated.stroke * stroke, stated.stroke * velocity, stated.force * force
     part = closed_part(x)
     pushed, moved = f[part] - f[part].mean(), v[part]
     work, sizes = float(pushed @ moved), float(np.abs(pushed) @ np.abs(moved))
     if abs(work) < _IDLE * sizes:
-        add(
-            "warning",
-            f"the force does hardly any work on the motion ({100.0 * work / sizes:.1f} % of force times speed): a "
-            "spring or a loose end, not a damper; the signs of stroke and force could not be checked.",
-            work / sizes,
-        )
+        add("identify.force_without_work", work / sizes, share=work / sizes)
         return stated
     rest = static_force(x, v, f)
     gas = _sign(rest, f)
@@ -190,17 +183,10 @@ class _Choice:
         if not self.unlike or self.gas > 0 or (stated and not self.gas):
             return self.stated
         if self.gas < 0:
-            text = (
-                f"the force is {self.rest:.3g} N at rest in mid-stroke, where gas would push outwards: stroke and "
-                "force are both turned, so that bump and rebound are swapped here, or the load cell had another zero. "
-            )
-            text += "Check what was stated." if stated else _STATE
+            code = "identify.stated_signs_of_gas" if stated else "identify.signs_of_gas"
+            add(code, self.rest, rest=self.rest)
         else:
-            text = (
-                "bump and rebound differ, and the record has no gas force to show which is which: stroke and force are "
-                f"taken as positive in compression; if both were turned, they would swap. {_STATE}"
-            )
-        add("warning", text, self.rest if self.gas else None)
+            add("identify.bump_or_rebound")
         return self.stated
 
     def turned(self, add: Callable[..., None]) -> Signs:
@@ -215,26 +201,22 @@ class _Choice:
             if column == "stroke"
             else Signs(self.stated.stroke, -self.stated.force)
         )
-        text = (
-            f"stroke and force contradict each other (the damper would feed energy into the motion): the {column} was "
-            "recorded with the other sign"
-        )
         rest = self.rest * (-1 if column == "force" else 1)
+        why: Finding | str = ""
         if both:
-            text += ", though its sign was stated"
+            why = finding("identify.though_stated", "")
         elif self.stroke_is_stated or self.force_is_stated:
-            text += ", as that of the other column was stated"
+            why = finding("identify.as_other_stated", "")
         elif self.gas:
-            text += f", for so a gas force of {rest:.3g} N pushes outwards"
+            why = finding("identify.as_gas_pushes", "", rest=rest)
         elif self.unlike:
-            text += (
-                ", or the stroke: nothing in the record tells, and if it is the stroke, bump and rebound are swapped"
-            )
-        if self.gas and rest < 0.0:
-            text += f"; but then the force at rest pulls inwards ({rest:.3g} N), which no gas does: check both"
+            why = finding("identify.or_the_stroke", "")
+        pulls = bool(self.gas) and rest < 0.0
+        but = finding("identify.gas_pulls", "", rest=rest) if pulls else ""
         way = found.stroke_positive if column == "stroke" else found.force_positive
-        text += f". The {column} has been reversed: state {column}_positive = {way!r}."
-        add("problem" if both or (self.gas and rest < 0.0) else "warning", text, rest if self.gas else None)
+        code = "identify.signs_contradict_stated" if both or pulls else "identify.signs_contradict"
+        key = f"{column}_positive"
+        add(code, rest if self.gas else None, column=column, why=why, but=but, key=key, way=way)
         return found
 
 

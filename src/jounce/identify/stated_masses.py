@@ -152,14 +152,12 @@ def off_together(
     if factor <= 0.0 or np.ptp(factors) > _ALIKE * abs(factor - 1.0):
         return []
     listed = ", ".join(f"{path} {one:.3g}" for path, one in zip(off, factors, strict=True))
-    text = (
-        f"all rates differ from their bench values by nearly one factor ({listed}): masses that are "
-        f"{100.0 * (1.0 / factor - 1.0):+.2g} % from the stated ones would explain it"
-    )
+    excess = 1.0 / factor - 1.0
     cosine = math.sqrt(factor) * math.cos(angle)
     if all(path.startswith("strut.") for path in off) and cosine < 1.0:
-        text += f", and so would a strut angle of {math.degrees(math.acos(cosine)):.3g} deg"
-    return [Finding("masses", "warning", f"{text}; weigh or measure", factor)]
+        lean = math.acos(cosine)
+        return [finding("identify.masses_or_angle_off", "masses", factor, factors=listed, excess=excess, angle=lean)]
+    return [finding("identify.masses_off", "masses", factor, factors=listed, excess=excess)]
 
 
 _RATES = (".rate", ".stiffness")

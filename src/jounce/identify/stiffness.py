@@ -10,7 +10,6 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
@@ -660,14 +659,17 @@ def _operating_point(
     at = float(np.mean(deflections)) if deflections else curve.deflection_at(force, 10.0 * reach)
     tangent = mean_of_replicates(slopes) if slopes else None
     if at is None or not low <= at <= reach:
-        place = "is never reached by the trials" if at is None else f"lies at {motion.say(at)}"
-        remark = f"; the slope measured there is {tangent.value:.4g} {rate}" if tangent else ""
-        text = (
-            f"the static {motion.force_word} of {force:.4g} {spoken(motion.force)} {place}, outside the fitted range "
-            f"of {motion.say(low)} to {motion.say(reach)}{remark}. The fit is an extrapolation there: fit a law that "
-            "covers it, or compare both stiffnesses in the model."
-        )
-        findings.append(Finding("operating point", "warning", text, at))
+        code = {
+            (False, False): "identify.load_outside",
+            (False, True): "identify.load_outside_slope",
+            (True, False): "identify.load_never_reached",
+            (True, True): "identify.load_never_reached_slope",
+        }[at is None, tangent is not None]
+        slope = tangent.value if tangent else None
+        where = None if at is None else motion.say(at)
+        names: dict[str, Any] = {"name": motion.force_word, "unit": spoken(motion.force), "rate": rate}
+        ends: dict[str, Any] = {"low": motion.say(low), "high": motion.say(reach)}
+        findings.append(finding(code, "operating point", at, force=force, at=where, slope=slope, **names, **ends))
     return at, tangent
 
 
@@ -696,17 +698,13 @@ def _advice(
     findings: list[Finding] = []
     rate = spoken(motion.stiffness)
 
-    def add(place: str, severity: Severity, text: str, value: float | None = None) -> None:
-        findings.append(Finding(place, severity, text, value))
+    def add(code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
+        findings.append(finding(code, place, value, **numbers))
 
     if len(rows) == 1:
-        text = (
-            "only one trial: the interval comes from its residuals, which are not independent, "
-            "and says nothing about repeatability. Measure at least three."
-        )
-        add("trials", "warning", text)
+        add("identify.one_trial", "trials")
     if all(row.loss_factor is None for row in rows):
-        add("trials", "note", "no trial has an unloading branch: no hysteresis energy, no loss factor.")
+        add("identify.no_unloading", "trials")
     values = np.array([row.stiffness.value for row in rows])
     for i, row in enumerate(rows):
         others = np.delete(values, i)
@@ -714,43 +712,30 @@ def _advice(
             break
         far, usual = float(values[i] / np.median(others)), float(np.ptp(others) / np.median(others))
         if abs(far - 1.0) > max(_ODD, 3.0 * usual):
-            text = (
-                f"its stiffness is {far:.3g} times that of the other trials ({row.stiffness.value:.4g} {rate}): "
-                "another part, another unit or another zero? Value and interval of all together count it."
-            )
-            add(row.name, "warning", text, far)
+            value = row.stiffness.value
+            add("identify.trial_differs", row.name, far, times=far, value=value, unit=rate)
     few = min(rows, key=lambda row: row.points)
     if few.points < 10:
-        add(few.name, "warning", f"only {few.points} points are left to fit.", float(few.points))
+        add("identify.few_points", few.name, few.points, points=few.points)
     if law == "linear" and len(np.unique(x)) > 3:
         u = (x - x.mean()) / float(np.ptp(x))
         found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
         bend = spread.estimates(found)[0]
         share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
         if bend.interval and not bend.has(0.0) and abs(share) > 0.03:
-            text = (
-                f"the slope changes by {100 * share:.0f} % over the fitted range: the "
-                "law is not linear; try 'polynomial', 'power' or 'monotone-spline'."
-            )
-            add("linear law", "warning", text, float(share))
+            add("identify.not_linear", "linear law", share, change=share)
         sides = [x < 0.0, x > 0.0]
         if all(len(np.unique(x[side])) > 4 for side in sides):
             pulled, pushed = (float(np.polyfit(x[side], force[side], 1)[0]) for side in sides)
             if abs(pushed - pulled) > _ODD * abs(pushed):
-                text = (
-                    f"the slope is {pulled:.4g} {rate} in {motion.pulled} and {pushed:.4g} {rate} in {motion.pushed}: "
-                    "the law is a mean of both; fit each side by itself, or a polynomial."
-                )
-                add("linear law", "warning", text, pushed - pulled)
+                both = {"pulled": pulled, "pushed": pushed, "unit": rate}
+                names = {"tension": motion.pulled, "compression": motion.pushed}
+                add("identify.slopes_differ", "linear law", pushed - pulled, **both, **names)
     if preload is not None and preload.value < 0.0:
-        text = (
-            f"the kept intercept is {preload.value:.4g} {spoken(motion.force)}: a negative preload is free travel, "
-            "which 'shift' describes better."
-        )
-        add("intercept", "warning", text, preload.value)
+        add("identify.intercept", "intercept", preload.value, value=preload.value, unit=spoken(motion.force))
     slopes = pooled.curve.tangent(np.linspace(x.min(), x.max(), 200))
     if law != "monotone-spline" and float(slopes.min()) <= 0.0:
-        add("curve", "problem", "the fitted curve does not rise everywhere; lower the degree.")
+        add("identify.curve_falls", "curve")
     return findings
 
 

@@ -99,13 +99,9 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
     delay = min(late, key=lambda one: late[one])
     if share < _EXPLAINS or late[delay] < ALIKE * after:
         return None
-    alike = "" if after < ALIKE * late[delay] else f" (a delay of {1e3 * delay:.2g} ms explains about as much)"
-    text = (
-        f"the record looks like the updated model's behind a low pass of about {corner:.3g} Hz, which explains "
-        f"{100.0 * share:.0f} % of what is left{alike}: state low_pass of its sensor, or find it with the values, "
-        f'nuisances = {{"{channel}{LOW_PASS}" = ["{0.5 * corner:.0f} Hz", "{2.0 * corner:.0f} Hz"]}}'
-    )
-    return share, Finding(channel, "warning", text, float(corner))
+    code = "identify.behind_low_pass" if after < ALIKE * late[delay] else "identify.behind_low_pass_or_late"
+    numbers = {"share": share, "delay": delay, "low": 0.5 * corner, "high": 2.0 * corner}
+    return share, finding(code, channel, corner, corner=corner, name=f"{channel}{LOW_PASS}", **numbers)
 
 
 def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
@@ -187,13 +183,10 @@ def road_in(
     times, share = best
     if share < _EXPLAINS or not _WHOLE[0] < times < _WHOLE[1]:
         return None
-    where = "" if abs(at) < _AHEAD_STEP else f" {1e3 * abs(at):.0f} ms {'ahead' if at > 0.0 else 'behind'}"
-    text = (
-        f"the record looks like the distance to the moving road{where} instead of the height above the ground, which "
-        f"explains {100.0 * share:.0f} % of what is left: aim the sensor at the ground beside it, or add the road's "
-        "height to the record"
-    )
-    return share, Finding(channel, "warning", text, times)
+    code = "identify.road_ahead" if at > 0.0 else "identify.road_behind"
+    if abs(at) < _AHEAD_STEP:
+        code = "identify.road_below"
+    return share, finding(code, channel, times, ahead=abs(at), share=share)
 
 
 def suspects(

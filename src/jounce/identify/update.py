@@ -466,17 +466,17 @@ def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
     """What was found beside the rig's values, and that it belongs into the description of trials and sensors."""
     findings = []
     for name, one in found.items():
-        within = "" if one.interval is None else f" ({one.interval[0]:.4g} to {one.interval[1]:.4g} {one.unit})"
+        low, high = one.interval or (None, None)
         if one.at_bound:
-            text = f"ends on its bound at {one.value:.4g} {one.unit}: move the bound, or leave it out"
+            code = "identify.nuisance_on_bound"
         elif name == SPEED:
-            text = (
-                f"{one.value:.4g} m/s{within} in the first trial, {100.0 * (one.value / one.initial - 1.0):+.2g} % "
-                "from the stated speeds in all of them: state the speed that was measured, where there is one"
-            )
+            code = "identify.speed_found" if one.interval is None else "identify.speed_found_within"
         else:
-            text = f"a low pass of {one.value:.4g} Hz{within}: state it as low_pass of the sensor, if the chain has one"
-        findings.append(Finding(name, "warning" if one.at_bound else "note", text, one.value))
+            code = "identify.low_pass_found" if one.interval is None else "identify.low_pass_found_within"
+        excess = one.value / one.initial - 1.0
+        findings.append(
+            finding(code, name, one.value, value=one.value, unit=one.unit, low=low, high=high, excess=excess)
+        )
     return findings
 
 
@@ -624,12 +624,10 @@ def _unexplained(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
             poor.setdefault(channel.name, {})[trial.source.name] = explained
     findings = []
     for name, found in poor.items():
-        trials = ", ".join(list(found)[:4]) + (f" and {len(found) - 4} more" if len(found) > 4 else "")
-        text = (
-            f"the updated model explains little of the record in {trials} (R² {min(found.values()):.2g}), so that "
-            "values fitted to it mean nothing: check speed, start, unit and sign, or what the model lacks"
-        )
-        findings.append(Finding(name, "warning", text, min(found.values())))
+        least = min(found.values())
+        code = "identify.explains_little_of_more" if len(found) > 4 else "identify.explains_little"
+        trials = ", ".join(list(found)[:4])
+        findings.append(finding(code, name, least, trials=trials, more=len(found) - 4, least=least))
     return findings
 
 
@@ -671,8 +669,7 @@ def _frozen(problem: UpdateProblem) -> list[Finding]:
         for channel in trial.channels:
             if channel.frozen is not None:
                 trials.setdefault(channel.name, []).append(f"{trial.source.name} ({channel.frozen.sum()} samples)")
-    text = "stretches in which the record is frozen were left out of the fit: {}"
-    return [Finding(name, "warning", text.format(", ".join(where))) for name, where in trials.items()]
+    return [finding("identify.frozen_left_out", name, trials=", ".join(where)) for name, where in trials.items()]
 
 
 def _common_factors(problem: UpdateProblem) -> list[Finding]:
