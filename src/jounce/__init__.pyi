@@ -62,6 +62,7 @@ from .design.kinematics import design_kinematics as design_kinematics
 from .design.lumping import lumped_from as lumped_from
 from .design.measured_poses import fit_hardpoints as fit_hardpoints
 from .design.model_comparison import compare_models as compare_models
+from .design.model_comparison import compare_with_lumped as compare_with_lumped
 from .design.optimisation_study import run_optimisation as run_optimisation
 from .design.optimise import optimise as optimise
 from .design.pareto import best_dampers as best_dampers
@@ -105,6 +106,7 @@ from .identify.update import UpdatedParameter as UpdatedParameter
 from .identify.update import UpdateResult as UpdateResult
 from .identify.update import update_model as update_model
 from .inspection.equivalence import compare_tests as compare_tests
+from .inspection.equivalence import study_equivalence as study_equivalence
 from .inspection.evaluation import evaluate as evaluate
 from .inspection.grading import grade as grade
 from .inspection.limits import load_limits as load_limits

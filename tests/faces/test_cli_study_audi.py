@@ -33,7 +33,7 @@ def test_json_of_a_case(cli, tmp_path: Path, name: str, sign: float):
 def test_text_of_a_case(cli, tmp_path: Path):
     found = cli("study", "audi-a6-case-a")
     assert found.exit_code == 0
-    assert "-60.932" in found.out
+    assert "−60.932" in found.out
     assert "warning: simulink:" in found.out
     assert found.out.rstrip().endswith("nothing was written; give --out DIR to keep the results")
     assert not list(tmp_path.iterdir())
@@ -73,7 +73,7 @@ def test_exciter(cli, tmp_path: Path):
     assert not list(tmp_path.iterdir())
     text = cli("study", "audi-a6-excenter", "--amplitude", "0.5 mm", "--out", "e")
     assert text.exit_code == 0
-    assert "70.03 N m; the paper computed 4201.7 N m" in text.out
+    assert "70.03 N·m (the paper: 4201.7 N·m)" in text.out
     assert (tmp_path / "e" / "figures" / "figure-8-spring.svg").is_file()
     assert (tmp_path / "e" / "curves" / "two-mass.nc").is_file()
 

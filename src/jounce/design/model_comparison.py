@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.serialise import to_plain
+from jounce.core.operation import File, Number, Texts, operation
+from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
+from jounce.core.typed import positive_quantity
 from jounce.core.types import Array
 from jounce.design.lumping import Lumping, lump, lumped_from
 from jounce.kinematics import sweep_travel
-from jounce.parts import Corner, QuarterCar, Rig
-from jounce.roads import Trial
+from jounce.parts import Corner, QuarterCar, Rig, as_rig
+from jounce.roads import HalfSine, Trial, load_road
 from jounce.simulation import Mode, linearise, modes, simulate
 
 if TYPE_CHECKING:
@@ -314,3 +317,98 @@ def _named(name: str, found: tuple[Mode, ...]) -> Mode | None:
     """The mode in which the body (bounce) or the wheel (hop) moves most."""
     moving = {"body bounce": "sprung.z", "wheel hop": "unsprung.z"}[name]
     return next((mode for mode in found if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)
+
+
+@dataclass(frozen=True)
+class LumpedComparison(Plain):
+    """A 3-D rig beside a lumped model of it, with their names.
+
+    Attributes
+    ----------
+    comparison : ModelComparison
+        What differs, and why.
+    rig : Rig
+        The 3-D rig.
+    title : str
+        Names of both.
+    """
+
+    comparison: ModelComparison
+    rig: Rig
+    title: str
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give quantities about rest, one row each."""
+        rows: list[dict[str, Any]] = self.to_dict()["rows"]
+        return rows
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the comparison as plain values, SI."""
+        return self.comparison.to_dict()
+
+
+@operation(
+    "study lumped-vs-spatial",
+    named={"speeds": "speed"},
+    echo={"rig": "rig", "lumped_rig": "lumped"},
+    offers=("numbers", "figure", "report"),
+    page="jounce.report.models:lumped_comparison_page",
+    title="{result.title}",
+    doing="comparing",
+    example="jounce study lumped-vs-spatial kart-double-wishbone --lumped kart-quarter-car",
+)
+def compare_with_lumped(
+    rig: Annotated[Rig | str | Path, File("A rig file, or a name of `jounce library`.", "RIG", ("parts",))],
+    lumped: Annotated[
+        Rig | str | Path | None,
+        File("Quarter car to compare; by default the equivalent of the rig at equilibrium.", "RIG", ("parts",)),
+    ] = None,
+    *,
+    road: Annotated[str | None, File("A road: file, or a name of `jounce library`.", "ROAD", ("roads",))] = None,
+    speeds: Annotated[
+        Sequence[float | str] | None, Texts('Speed over the road, e.g. "1.95 m/s". Repeat it.', "SPEED")
+    ] = None,
+    duration: Annotated[float | str, Number("Length of each run.", "TIME", "s", is_positive=True)] = "2 s",
+) -> LumpedComparison:
+    """Show where a lumped quarter car differs from a 3-D rig, and why.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        A 3-D rig whose body is free along z, its file or its name.
+    lumped : Rig, str or Path, optional
+        Quarter car to compare; by default the equivalent of the rig at equilibrium.
+    road : str, optional
+        A road, its file or its name; by default an obstacle of a bench, 10 mm high and 60 mm long (estimated).
+    speeds : sequence of float or str, optional
+        Speeds over the road, m/s; by default 1.95, 2.86 and 3.79 m/s.
+    duration : float or str
+        Length of each run, s.
+
+    Returns
+    -------
+    LumpedComparison
+        As :func:`jounce.compare_models` gives it.
+
+    Examples
+    --------
+    >>> found = compare_with_lumped("kart-double-wishbone", "kart-quarter-car", speeds=["2 m/s"], duration="0.5 s")
+    >>> found.title, len(found.comparison.peaks) > 0
+    ('kart-double-wishbone and kart-quarter-car', True)
+    """
+    course = HalfSine(height=0.010, length=0.060, start=0.2) if road is None else load_road(road)
+    length = positive_quantity(str(duration), "s", "duration")
+    trials = {
+        str(speed): Trial(road=course, speed=positive_quantity(str(speed), "m/s", "speeds"), duration=length)
+        for speed in speeds or _SPEEDS
+    }
+    spatial, other = as_rig(rig), None if lumped is None else as_rig(lumped)
+    names = _name(rig), "its equivalent quarter car" if lumped is None else _name(lumped)
+    return LumpedComparison(compare_models(spatial, other, trials), spatial, " and ".join(names))
+
+
+_SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")
+
+
+def _name(rig: Rig | str | Path) -> str:
+    return Path(rig).stem if isinstance(rig, str | Path) else "the rig"

@@ -7,12 +7,13 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
 from multiprocessing import get_context
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.operation import Count, File, operation
 from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
@@ -20,11 +21,13 @@ from jounce.core.types import Array
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.methods import METHODS as EVALUATED
-from jounce.parts import QuarterCar
+from jounce.parts import QuarterCar, as_rig
+from jounce.parts.options import AnyRig
 from jounce.parts.testers import load_tester
 from jounce.parts.variants import worn
 from jounce.testers.plate_response import wheel_mode
 from jounce.testers.testing import simulate_test
+from jounce.variants.threads import processors
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +38,7 @@ METHODS = {key: EVALUATED[key].numbers[0] for key in ("eusama", "egea", "theta")
 SOUND, WORN = 0.2, 0.7
 """A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""
 _RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
+_MOST_POINTS = 200  # of each varied quantity: 14 400 tests
 _TESTS_OF_A_PROCESS = 200  # as many as one can do in the time that another process takes to start
 
 
@@ -148,6 +152,62 @@ class Equivalence(Shown):
         found = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
         found |= {"rejected_below": self.edges}
         return plain_table({**found, "planes": planes, "disagreements": self.disagreements})
+
+
+@operation(
+    "study inspection-equivalence",
+    named={"changes": "set"},
+    echo={"rig": "rig", "changes": "set"},
+    offers=("figure", "report"),
+    page="jounce.report.equivalence:equivalence_page",
+    title="{rig}, simulated tests",
+    doing="testing",
+    example="jounce study inspection-equivalence audi-a6-quarter-car --figure tests.png",
+)
+def study_equivalence(
+    rig: AnyRig,
+    *,
+    points: Annotated[int, Count("Number of values of each varied quantity.", least=2, most=200)] = 28,
+    limits: Annotated[str | None, File("A limits file in place of the shipped limits.")] = None,
+    progress: Callable[[str], None] = lambda _: None,
+) -> Equivalence:
+    """Compare adhesion, phase angle and THETA of one wheel over damper wear, tyre stiffness, load and friction.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        The sound wheel with its share of the car, a quarter car.
+    points : int
+        Number of values of each varied quantity, 2 to 200.
+    limits : str, optional
+        A limits file in place of the shipped limits.
+    progress : callable
+        Called with a text as the work goes on.
+
+    Returns
+    -------
+    Equivalence
+        As :func:`jounce.compare_tests` gives it.
+
+    Raises
+    ------
+    DescriptionError
+        For a number of points out of range.
+
+    Examples
+    --------
+    >>> study_equivalence("audi-a6-quarter-car", points=2).tests
+    144
+    """
+    if not 2 <= points <= _MOST_POINTS:
+        raise DescriptionError("out of range", where="points", found=points, allowed=f"2 to {_MOST_POINTS}")
+    return compare_tests(
+        as_rig(rig),  # type: ignore[arg-type]
+        factors=usual_factors(points),
+        limits=load_limits(limits),
+        workers=processors(),
+        progress=lambda share: progress(f"testing: {100.0 * share:.0f} %"),
+    )
 
 
 def compare_tests(

@@ -115,7 +115,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign
     from jounce.design.measured_poses import HardpointFit
-    from jounce.design.model_comparison import ModelComparison
+    from jounce.design.model_comparison import LumpedComparison, ModelComparison
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.design.spread import KinematicSpread
@@ -207,6 +207,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(ParetoFront, design.pareto_front)
     draw.register(DesignFront, design.design_front)
     draw.register(RideStudy, design.trade_off)
+    draw.register(LumpedComparison, lambda result, **options: draw(result.comparison, **options))
     draw.register(ModelComparison, lambda result, **options: signals.sweep(result.curves(), along="travel", **options))
     draw.register(Ride, lambda result, **options: design.ride_spectra([result], **options))
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))

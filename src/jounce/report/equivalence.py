@@ -49,7 +49,7 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
     words = "Wear from which each method rejects, over each quantity that varies; dots at the top: never rejected."
     table = Table("Where the tests disagree with the damper", header, rows)
     answer: tuple[Block, ...] = (table, Paragraph(about, "muted"))
-    curves = Section("Over what varies", (Picture(equivalence(study), "equivalence", words, words),))
+    curves = Section("Over what varies", (Picture(lambda: equivalence(study), "equivalence", words, words),))
     return Page(title, (Section("Answer", answer), curves), "Adhesion, phase angle and THETA of the same wheel")
 
 

@@ -9,7 +9,20 @@ import numpy as np
 from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.recordings.schema import state_unit
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Section, Table, as_printed, picture_of
+from jounce.report.page import (
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Section,
+    Table,
+    as_printed,
+    picture_of,
+    table_of,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -18,7 +31,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.core.types import Array
-    from jounce.design.model_comparison import ModelComparison
+    from jounce.design.model_comparison import LumpedComparison, ModelComparison
     from jounce.parts import Rig
     from jounce.ride.modal import ModalAnalysis
     from jounce.roughness.iri import ProfileRoughness, Roughness
@@ -225,5 +238,26 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
     curves = found.curves().rename(travel="wheel_travel")
     runs = {str(model): curves.sel(model=model, drop=True) for model in curves["model"].to_numpy()}
     moving = curve_blocks({"": runs}, ["motion_ratio", "wheel_rate"], title=title, rig=rig)
+    some = slice(None, None, _EVERY)
+    points = [*found.travel[some].tolist()]
+    over_travel = table_of(
+        "Over travel",
+        (
+            Column("travel", points, "m"),
+            Column("motion ratio, 3-D", found.motion_ratio[some].tolist(), "1"),
+            Column("lumped", [found.lumped_motion_ratio] * len(points), "1"),
+            Column("wheel rate, 3-D", found.wheel_rate[some].tolist(), "N/m"),
+            Column("lumped", [found.lumped_wheel_rate] * len(points), "N/m"),
+        ),
+    )
     answer = (about_rest, *((in_trials,) if peaks else ()))
-    return Page(title, (Section("Answer", answer), Section("Over travel", moving)), "Where the models differ, and why")
+    sections = Section("Answer", answer), Section("Over travel", (*moving, over_travel))
+    return Page(title, sections, "Where the models differ, and why")
+
+
+_EVERY = 3  # points over travel from one row of the table to the next
+
+
+def lumped_comparison_page(found: LumpedComparison, *, title: str) -> Page:
+    """Put a 3-D rig and a lumped model of it on a page."""
+    return model_comparison_page(found.comparison, title=title, rig=found.rig)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from jounce.core.display import display_unit
 from jounce.core.serialise import to_json
 from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, Window
@@ -15,6 +17,7 @@ from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Pi
 from jounce.report.recordings import curve_blocks
 from jounce.report.render import curve_files
 
+_PROVING_GROUND = "Measured damper, real vehicle, measured course"
 _ABOUT_PROVING_GROUND = (
     "All inputs come from real hardware: a magneto-rheological damper measured on a shaking table at 0 V and 0.88 V, "
     "the front corner of a HMMWV, and the measured one-inch r.m.s. course of a proving ground. The vehicle's own "
@@ -42,10 +45,16 @@ def proving_ground_files(study: ProvingGround) -> dict[str, str | bytes]:
     return {"results.json": to_json(study.to_dict())}
 
 
+def proving_ground_summary(study: ProvingGround) -> Page:
+    """Put what the study found on a page, without its curves."""
+    sections = (_ride_summary(study), _damper(study), _quarter_car(study), _ride(study))
+    return Page(_PROVING_GROUND, (*sections, Section("Findings", (Findings(study.findings),))))
+
+
 def proving_ground_page(study: ProvingGround) -> Page:
     """Put the study's page together; nothing is computed here."""
     return Page(
-        "Measured damper, real vehicle, measured course",
+        _PROVING_GROUND,
         (
             _ride_summary(study),
             _damper(study),
@@ -109,7 +118,7 @@ def _damper(study: ProvingGround) -> Section:
     for one in study.dampers:
         curve = one.curves[LAW]
         fits = {law: found.fitted for law, found in one.curves.items() if law != "bouc-wen"}
-        figure = damper_loops(curve.displacement, curve.velocity, curve.measured, fits, one.name)
+        figure = partial(damper_loops, curve.displacement, curve.velocity, curve.measured, fits, one.name)
         words = f"Damper at {one.name}: force against velocity and displacement, measured and fitted."
         blocks.append(Picture(figure, f"damper-{one.name.replace(' ', '').replace('.', '')}", words, words))
     return Section("Measured damper", tuple(blocks))
@@ -137,7 +146,7 @@ def _quarter_car(study: ProvingGround) -> Section:
                 "lrll",
             ),
             Paragraph(_TRANSFORM),
-            Picture(sweep(study.damping, along="amplitude"), "damping-ratio", words, words),
+            Picture(partial(sweep, study.damping, along="amplitude"), "damping-ratio", words, words),
             Paragraph(
                 "A damper whose force hardly rises with velocity damps small motions strongly and large ones weakly: "
                 "a damping ratio holds at one amplitude only."
@@ -184,7 +193,7 @@ def _ride(study: ProvingGround) -> Section:
     return Section(
         "Ride metrics",
         (
-            Picture(sweep(study.figures, names), "ride-figures", words, words),
+            Picture(partial(sweep, study.figures, names), "ride-figures", words, words),
             Table(
                 "Ride metrics over the undulating 304.8 m; r.m.s. wheel load relative to the static load.",
                 header,
@@ -235,19 +244,25 @@ def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
     return {"results.json": to_json(study.to_dict()), **dict(file for one in named for file in curve_files(*one))}
 
 
+def audi_case_summary(study: AudiCase) -> Page:
+    """Put what a case found on a page, without its curves."""
+    return Page(_title_of(study), (_summary(study), _windows(study), _statics(study), *_ending(study)))
+
+
+def _title_of(study: AudiCase) -> str:
+    return f"Audi A6, {study.case.title[0].lower()}{study.case.title[1:]}"
+
+
+def _ending(study: AudiCase | EccentricExciter) -> tuple[Section, ...]:
+    errata = Section("Errata of the paper", (errata_table(study.errata),))
+    return errata, Section("Findings", (Findings(study.findings),))
+
+
 def audi_case_page(study: AudiCase) -> Page:
     """Put a case's page together; nothing is computed here."""
     return Page(
-        f"Audi A6, {study.case.title[0].lower()}{study.case.title[1:]}",
-        (
-            _summary(study),
-            _windows(study),
-            _case_curves(study),
-            _statics(study),
-            _demo(study),
-            Section("Errata of the paper", (errata_table(study.errata),)),
-            Section("Findings", (Findings(study.findings),)),
-        ),
+        _title_of(study),
+        (_summary(study), _windows(study), _case_curves(study), _statics(study), _demo(study), *_ending(study)),
         subtitle="Half car of the suspension-system paper, section 5",
         files=tuple(audi_case_files(study).items()),
     )
@@ -401,7 +416,7 @@ def _demo(study: AudiCase) -> Section:
         "Initial state of the demo, and the printed sign",
         (
             Paragraph(first),
-            Picture(start_up_transient(study), "start-up", words, words),
+            Picture(partial(start_up_transient, study), "start-up", words, words),
             Paragraph(second),
             Table("Eigenvalues [1/s].", ("eq. (9)", "1", "2", "3", "4"), rows, "lrrrr"),
         ),
@@ -413,6 +428,7 @@ def _eigenvalue(real: float, imaginary: float) -> str:
     return text.replace("-", "−")
 
 
+_EXCITER = "Audi A6, front corner on an eccentric exciter"
 _ABOUT_EXCITER = (
     "The paper simulated the front corner on a plate that an eccentric exciter moves (section 4). It merged tyre and "
     "spring into one by adding their rates. Here the same test rig is modelled three times: summed as in the paper, in "
@@ -432,18 +448,26 @@ def exciter_files(study: EccentricExciter) -> dict[str, str | bytes]:
     return {"results.json": to_json(study.to_dict()), **dict(curves)}
 
 
+def exciter_summary(study: EccentricExciter) -> Page:
+    """Put what the study found on a page, without its curves."""
+    return Page(_EXCITER, _exciter_sections(study, _spring_table(study)))
+
+
+def _exciter_sections(study: EccentricExciter, spring: tuple[Block, ...]) -> tuple[Section, ...]:
+    return (
+        _exciter_summary(study),
+        Section("Spring", spring),
+        Section("Statics, modes and response", _linear(study)),
+        Section("Drive", _drive(study)),
+        *_ending(study),
+    )
+
+
 def exciter_page(study: EccentricExciter) -> Page:
     """Put the study's page together; nothing is computed here."""
     return Page(
-        "Audi A6, front corner on an eccentric exciter",
-        (
-            _exciter_summary(study),
-            Section("Spring", _spring(study)),
-            Section("Statics, modes and response", _linear(study)),
-            Section("Drive", _drive(study)),
-            Section("Errata of the paper", (errata_table(study.errata),)),
-            Section("Findings", (Findings(study.findings),)),
-        ),
+        _EXCITER,
+        _exciter_sections(study, (*_spring_curves(study), *_spring_table(study))),
         subtitle="Quarter car of the suspension-system paper, section 4, rebuilt",
         files=tuple(exciter_files(study).items()),
     )
@@ -466,10 +490,18 @@ def _exciter_summary(study: EccentricExciter) -> Section:
     )
 
 
-def _spring(study: EccentricExciter) -> tuple[Block, ...]:
+def _spring_curves(study: EccentricExciter) -> tuple[Block, ...]:
     words = (
         "Plate position, spring length and spring force, starting from the uncompressed spring (figure 8 of the paper)."
     )
+    return curve_blocks(
+        {"": {run.variant: run.signals for run in study.runs}},
+        title="Spring",
+        figures=[Picture(exciter_spring(study), "figure-8-spring", words, words)],
+    )
+
+
+def _spring_table(study: EccentricExciter) -> tuple[Block, ...]:
     rows = tuple(
         (
             run.variant,
@@ -488,11 +520,6 @@ def _spring(study: EccentricExciter) -> tuple[Block, ...]:
     )
     note = "For the summed model this is the merged spring, for the others the suspension spring."
     return (
-        *curve_blocks(
-            {"": {run.variant: run.signals for run in study.runs}},
-            title="Spring",
-            figures=[Picture(exciter_spring(study), "figure-8-spring", words, words)],
-        ),
         Table("Spring of 341 mm under the load.", header, rows, "lrrrr", note),
         Paragraph(text),
     )
@@ -568,7 +595,7 @@ def _drive(study: EccentricExciter) -> tuple[Block, ...]:
     )
     header = ("model", "mean torque", "torque", "mean power", "heat in dampers")
     return (
-        Picture(exciter_torque_curve(study), "torque", words, words),
+        Picture(partial(exciter_torque_curve, study), "torque", words, words),
         Table("Torque and power required of the drive in steady motion.", header, rows, "lrrrr"),
         Paragraph(text),
     )
