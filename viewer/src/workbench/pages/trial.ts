@@ -186,7 +186,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     field(tr("Speed"), speed),
     field(tr("Duration"), duration),
     field(tr("Curves over"), look),
-    field(tr("Compare with a recording"), measured),
+    field(tr("Compare with"), measured),
     since,
   );
   const run = make(
