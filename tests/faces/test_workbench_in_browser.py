@@ -182,7 +182,7 @@ def test_the_language_that_was_chosen_stays(workbench, browser):
     opened.page.get_by_role("button", name="Speichern").wait_for()
     assert opened.page.evaluate("document.documentElement.lang") == "de"
     opened.go("studies")
-    opened.page.get_by_role("columnheader", name="Streuung").wait_for()  # a head is a word, a number's path is none
+    opened.page.get_by_role("columnheader", name="Verteilung").wait_for()  # a head is a word, a number's path is none
     opened.context.close()
     assert opened.troubles == []
 
