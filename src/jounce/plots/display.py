@@ -51,6 +51,21 @@ def kinematic_value(name: str, value: float, si: str) -> float | str | None:
     return 0.0 if abs(value) < SMALLEST.get(si, 0.0) else value * display_unit(si, value).factor
 
 
+_ROUNDING = 1e-12
+"""SI values of this size are what rounding leaves of nothing."""
+
+
+def settled_number(value: float | None, si: str, unit: DisplayUnit) -> str:
+    """Write an SI value in a unit; what rounding leaves of nothing is nothing.
+
+    >>> settled_number(3e-17, "rad", DisplayUnit("°", 57.3)), settled_number(0.01, "m", DisplayUnit("mm", 1e3))
+    ('0', '10.00')
+    """
+    if value is not None and abs(value) < SMALLEST.get(si, _ROUNDING):
+        return number(0.0)
+    return number(None if value is None else value * unit.factor)
+
+
 def words_of(name: str) -> str:
     """Give the quantity of a channel in words without its place, e.g. ``acceleration`` for ``sprung.az``."""
     quantity = quantity_of(name)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.display import display_unit
 from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES, shown
-from jounce.plots.display import SMALLEST, number
+from jounce.plots.display import number, settled_number
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Section, Table
 
 if TYPE_CHECKING:
@@ -34,18 +34,12 @@ def adjustment_page(found: Adjustment, *, title: str) -> Page:
     return Page(title, (Section("Answer", tuple(answer)),))
 
 
-def _cell(value: float | None, si: str, unit: DisplayUnit) -> str:
-    """Write a value (SI); what rounding leaves of nothing is nothing."""
-    settled = 0.0 if value is not None and abs(value) < SMALLEST.get(si, 0.0) else value
-    return number(None if settled is None else settled * unit.factor)
-
-
 def _states(states: dict[str, WheelState]) -> Table:
     rows = []
     for name, si in QUANTITIES.items():
         unit = display_unit(si)
         values = (getattr(state, name) for state in states.values())
-        rows.append((name.replace("_", " "), unit.name or "–", *(_cell(value, si, unit) for value in values)))
+        rows.append((name.replace("_", " "), unit.name or "–", *(settled_number(value, si, unit) for value in values)))
     return Table("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
 
 
@@ -57,7 +51,7 @@ def _effects(report: AdjustReport) -> Table:
         own = display_unit(effect.unit)
         rows.append((effect.setting, *([""] * len(units))))
         for value, state in ((effect.lowest, effect.at_lowest), (effect.highest, effect.at_highest)):
-            cells = (_cell(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
+            cells = (settled_number(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
             rows.append((f"    {value * own.factor:.4g} {own.name}", *cells))
         slopes = (_slope(effect.per_unit[name], unit.factor / own.factor) for name, unit in units.items())
         rows.append((f"    per {own.name}", *slopes))
@@ -87,4 +81,4 @@ def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tu
     unit = display_unit(si)
     for label, values in zip(when, (report.over_travel.before, report.over_travel.after), strict=False):
         words = ("", "") if label == "after" else (name.replace("_", " "), unit.name or "–")
-        yield (*words, label, *(_cell(value, si, unit) for value in values[name]))
+        yield (*words, label, *(settled_number(value, si, unit) for value in values[name]))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.plots.display import number
+from jounce.plots.display import number, settled_number
 from jounce.report.page import Block, Findings, Page, Paragraph, Section, Table
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ def trial_run_page(found: TrialRun, *, title: str) -> Page:
     for name, channel in found.extremes().items():
         unit, least, most = channel["unit"], channel["minimum"], channel["maximum"]
         shown = display_unit(unit, max(abs(least), abs(most)))
-        static, low, high = (number(value * shown.factor) for value in (channel["static"], least, most))
+        static, low, high = (settled_number(value, unit, shown) for value in (channel["static"], least, most))
         times = (number(channel[key]) for key in ("time_of_minimum", "time_of_maximum"))
         rows.append((name, shown.name or "–", static, low, next(times), high, next(times)))
     header = ("channel", "unit", "static", "minimum", "at [s]", "maximum", "at [s]")
