@@ -256,14 +256,14 @@ def test_variants_step_side_by_side_as_they_run_alone():
 def test_variants_whose_wheels_leave_their_tables_go_on_side_by_side_over_wider_ones(monkeypatch):
     changes, trial = spread(np.random.default_rng(SEED), 40), bump()
     usual = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z")
-    held, real = [], many_runs._Group._step_through
+    held, real = [], many_runs._TrialGroup._step_through
 
     def step_through(*arguments):
         found = real(*arguments)
         held.append(int(found.held.sum()))
         return found
 
-    monkeypatch.setattr(many_runs._Group, "_step_through", step_through)
+    monkeypatch.setattr(many_runs._TrialGroup, "_step_through", step_through)
     monkeypatch.setattr(module, "first_range", lambda _: RANGE)
     many = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z")
     assert len(held) == 2

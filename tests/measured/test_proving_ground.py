@@ -19,9 +19,9 @@ from jounce.papers.proving_ground import (
     COURSE,
     END,
     OWN,
+    ForceScaling,
     FrontView,
     ProvingGround,
-    Similitude,
     contact_length,
     drive,
     enveloped,
@@ -97,7 +97,7 @@ def test_voltage_raises_the_yield_force_of_the_damper(study: ProvingGround):
 def test_work_at_the_wheel_is_the_scaled_work_of_the_small_damper(table: dict):
     # Virtual work: the large damper at the wheel takes up force scale * stroke scale times what the small one does in
     # the motion that belongs to it.
-    scales = Similitude(stroke_scale=4.0, force_scale=9.0, motion_ratio=0.45)
+    scales = ForceScaling(stroke_scale=4.0, force_scale=9.0, motion_ratio=0.45)
     wheel = jn.harmonic_energy(referred_to_wheel(table, scales), 0.03, 1.1)
     small = jn.harmonic_energy(table, 0.03 * 0.45 / 4.0, 1.1)
     assert wheel == pytest.approx(9.0 * 4.0 * small, rel=1e-9)

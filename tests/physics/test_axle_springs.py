@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import jounce as jn
-from jounce.kinematics.axle import Axle
+from jounce.kinematics.axle import TwoWheelAxle
 from jounce.mechanics import Mechanism
 from jounce.models.attachments import link_end, t_bar_of
 from jounce.models.bars import t_bar_function
@@ -126,7 +126,7 @@ def stem(plain):
 
 
 def test_a_t_bar_stays_closed_and_its_forces_are_slopes_of_the_energy(stem) -> None:
-    axle, middle = Axle(stem), (0.011, -0.004)
+    axle, middle = TwoWheelAxle(stem), (0.011, -0.004)
 
     def at(left: np.ndarray, right: np.ndarray):
         wheels = [axle.wheel(side, travel, np.zeros_like(travel)) for side, travel in ((1.0, left), (-1.0, right))]
@@ -182,7 +182,7 @@ def test_a_t_bar_whose_links_hold_nothing_has_no_numbers(plain) -> None:
 
 def test_a_t_bar_twists_in_roll_only(stem) -> None:
     """Rates of the corner's rows, those of opposite and equal travel, are those of the axle."""
-    axle, small = Axle(stem), 1e-5
+    axle, small = TwoWheelAxle(stem), 1e-5
     row = jn.sweep_travel(stem, 0.008)
     for way, name in ((-1.0, "anti_roll_bar_rate"), (1.0, "third_wheel_rate")):
         both = 0.008 + small * np.array([-1.0, 0.0, 1.0])

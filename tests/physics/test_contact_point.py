@@ -8,7 +8,7 @@ from car_at_rest import at_rest, body_centre, force, loaded, place, seen_from_bo
 from scipy.optimize import brentq, root
 
 import jounce as jn
-from jounce.kinematics.axle import Axle, Ground
+from jounce.kinematics.axle import Ground, TwoWheelAxle
 from jounce.parts.vehicles import FullCar3D
 
 CARS = ("formula-student-car", "kart-whole-vehicle", "sedan-full-car-3d")
@@ -265,7 +265,7 @@ def test_runs_and_kinematics_have_one_contact_point(name, load):
     for which in car.corners:
         side = 1.0 if which.endswith("left") else -1.0
         corner, travel, _, _ = loaded(car, run, which)
-        wheel = Axle(corner if side > 0.0 else corner.mirrored()).wheel(side, np.array([travel]), np.zeros(1))
+        wheel = TwoWheelAxle(corner if side > 0.0 else corner.mirrored()).wheel(side, np.array([travel]), np.zeros(1))
         ground = Ground(wheel, np.array([float(run["body.roll"])]), side, float(run["body.pitch"]))
         ahead = np.array([(1.0 if which.startswith("front") else -1.0) * getattr(car, which.split("_")[0]).distance])
         expected = ground.contact[0] * [1.0, side, 1.0]

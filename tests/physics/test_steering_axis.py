@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.kinematics.view import Screw, steering_screw
+from jounce.kinematics.view import ScrewMotion, steering_screw
 from jounce.parts.corners import DoubleWishbone, FiveLink
 
 AXIS_ROWS = (
@@ -82,7 +82,7 @@ def twists(rig: FiveLink) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 def test_the_steering_screw_is_a_pure_turn_or_that_of_least_pitch(seed: int) -> None:
     """Against a search over all motions of rack and travel together; both kinds occur among the seeds."""
     (turn, speed), (other_turn, other_speed) = np.random.default_rng(seed).normal(size=(2, 2, 3))
-    found = steering_screw(Screw(ca.SX(turn), ca.SX(speed)), Screw(ca.SX(other_turn), ca.SX(other_speed)))
+    found = steering_screw(ScrewMotion(ca.SX(turn), ca.SX(speed)), ScrewMotion(ca.SX(other_turn), ca.SX(other_speed)))
     spin, pitch = ca.evalf(found.turn).full()[:, 0], float(ca.evalf(found.pitch))
     shares = np.tan(np.linspace(-1.5707, 1.5707, 400_001))
     spins, speeds = turn + shares[:, None] * other_turn, speed + shares[:, None] * other_speed

@@ -22,7 +22,7 @@ from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
-from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, rolled, steering_rows
+from jounce.kinematics.axle import Ground, TwoWheelAxle, WheelRows, roll_rows, rolled, steering_rows
 from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
@@ -566,7 +566,7 @@ class TargetEvaluator:
         return at(numbers), {name: np.array(values) for name, values in moved.items()}
 
     def _along(
-        self, rows: Any, axle: Axle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
+        self, rows: Any, axle: TwoWheelAxle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
     ) -> dict[str, Array]:
         """Slopes of closed formulas of both wheels' rows along each direction, by differences along exact slopes."""
         found: dict[str, list[Array]] = {}
@@ -591,10 +591,12 @@ class TargetEvaluator:
         model = self.model if side > 0.0 or self.right is None else kinematic_model(self.right)
         return float(own[len(model.tracks) + model.parameters.index("wheel.radius"), k])
 
-    def _axle(self, numbers: Array, directions: tuple[Array, Array] | None = None) -> Axle:
+    def _axle(self, numbers: Array, directions: tuple[Array, Array] | None = None) -> TwoWheelAxle:
         """Axle with these numbers of both sides."""
         own = numbers[: self._cut]
-        return Axle(self.rig, (own, own if self.right is None else numbers[self._cut :]), directions, self.right)
+        return TwoWheelAxle(
+            self.rig, (own, own if self.right is None else numbers[self._cut :]), directions, self.right
+        )
 
     @cached_property
     def _everywhere(self) -> tuple[Array, Array]:

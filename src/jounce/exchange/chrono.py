@@ -93,7 +93,7 @@ def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, f
     wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
     if wheel_mass < 0.0:
         raise DescriptionError("not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more")
-    writing = _Writing(_left(rig), wheel_mass)
+    writing = _ChronoWriter(_left(rig), wheel_mass)
     table = writing.table()
     write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)
     return ChronoExport(file, table["Template"], tuple(writing.findings))
@@ -123,7 +123,7 @@ def _plain(value: Any) -> Any:
 
 
 @dataclass
-class _Writing:
+class _ChronoWriter:
     """A rig while it becomes a file."""
 
     rig: Corner

@@ -104,7 +104,7 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
             "a rack that is moved at design", where="steering.rack_travel", found=f"{rack:g} m",
             allowed="0 m: MuJoCo takes lengths and joints as they are at design",
         )  # fmt: skip
-    writing = _Writing(rig)
+    writing = _MjcfWriter(rig)
     root = writing.root()
     ET.indent(root)
     write_atomically(file, ET.tostring(root, encoding="utf-8") + b"\n", force=force)
@@ -125,7 +125,7 @@ def _add(parent: ET.Element, tag: str, *given: Mapping[str, str], **more: str) -
 
 
 @dataclass
-class _Writing:
+class _MjcfWriter:
     """A rig while it becomes a file."""
 
     rig: Corner

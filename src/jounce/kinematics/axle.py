@@ -203,7 +203,7 @@ def _by_side(values: Array | tuple[Array, Array] | None) -> dict[float, Array]:
     return {side: own for side, own in zip((1.0, -1.0), both, strict=True) if own is not None}
 
 
-class Axle:
+class TwoWheelAxle:
     """Both wheels of an axle, from the description of one of them, or of each if ``right`` is given.
 
     ``numbers`` replace the values of the model's ``parameters`` in the description. With ``directions`` (tracks and
@@ -371,7 +371,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     """
     corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
     check_roll(angles, "roll")
-    axle, at = Axle(corner), to_si(rack, "m", where="rack travel")
+    axle, at = TwoWheelAxle(corner), to_si(rack, "m", where="rack travel")
     variables = rolled(axle, angles, at)
     reached = np.isfinite(variables.values["track"])
     if not reached.any():
@@ -379,7 +379,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     return variables.dataset(reached, axle, corner)
 
 
-def rolled(axle: Axle, angles: Array, rack: float) -> AxleVariables:
+def rolled(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
     """Roll an axle (rad) at one rack travel (m)."""
     left, right = axle.level(angles, rack)
     bend = _bend(axle, angles, rack)
@@ -394,7 +394,7 @@ def check_roll(angles: Array, name: str) -> None:
         raise DescriptionError("too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
 
 
-def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
+def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
     """Rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel by roll, m/rad^2."""
     gain = _gain(left, right)
     sign = "positive: about +x, left side up"
@@ -419,7 +419,7 @@ def _gain(left: Ground, right: Ground) -> Array:
     return (left.height_by_roll - right.height_by_roll) / (left.height_by_travel + right.height_by_travel)
 
 
-def _bend(axle: Axle, roll: Array, rack: float) -> Array:
+def _bend(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
     """Second derivative of the right wheel's travel by roll, m/rad^2."""
     ahead, behind = (_gain(*axle.level(roll + step, rack)) for step in (_BEND, -_BEND))
     return (ahead - behind) / (2.0 * _BEND)
@@ -445,7 +445,7 @@ def add_axle_rows(variables: AxleVariables, left: Ground, right: Ground) -> None
 _AGAINST = "positive: against the roll"
 
 
-def _add_roll_moments(variables: AxleVariables, axle: Axle, wheels: tuple[Ground, Ground], bend: Array) -> None:
+def _add_roll_moments(variables: AxleVariables, axle: TwoWheelAxle, wheels: tuple[Ground, Ground], bend: Array) -> None:
     """Moments of springs and connections, and the roll stiffness of the springs."""
     left, right = (ground.wheel for ground in wheels)
     forces = "wheel_force" in left.rows and "wheel_force" in right.rows
@@ -464,7 +464,7 @@ def _add_roll_moments(variables: AxleVariables, axle: Axle, wheels: tuple[Ground
 
 
 def _add_roll_stiffness(
-    variables: AxleVariables, axle: Axle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
+    variables: AxleVariables, axle: TwoWheelAxle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
 ) -> None:
     """Roll stiffness of the connections, of all springs, and with the tyres."""
     left, right = (ground.wheel for ground in wheels)
@@ -493,7 +493,7 @@ def _add_roll_stiffness(
         variables.add("roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST)
 
 
-def _connected_moment(axle: Axle, roll: Array, rack: float) -> Array:
+def _connected_moment(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
     """Moment of the connections against the roll, N m."""
     grounds = axle.level(roll, rack)
     connection = axle.connection(*(ground.wheel for ground in grounds))
@@ -513,13 +513,13 @@ class AxleVariables(SweepVariables):
         self.along, self.at = along, at
         self.coordinate = {"units": unit, "long_name": long_name, "sign": sign}
 
-    def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
+    def add_wheel(self, axle: TwoWheelAxle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel in ground axes."""
         rows = wheel.seen(side)
         for row in axle.rows_of(side):
             self.add(f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
 
-    def dataset(self, reached: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:
+    def dataset(self, reached: NDArray[np.bool_], axle: TwoWheelAxle, corner: Corner) -> xr.Dataset:
         """Dataset of the poses that both wheels reach."""
         import xarray as xr
 
@@ -579,7 +579,7 @@ def sweep_steering(
     """
     corner, racks = check_corner(rig), sweep_values(rack, "rack travel")
     check_rack(corner)
-    axle = Axle(corner)
+    axle = TwoWheelAxle(corner)
     lifted = to_si(travel, "m", where="wheel travel")
     left, right = (axle.wheel(side, lifted, racks) for side in (1.0, -1.0))
     reached = np.isfinite(left.rows["steer"] + right.rows["steer"])
@@ -589,7 +589,7 @@ def sweep_steering(
 
 
 def steering_rows(
-    axle: Axle, left: WheelRows, right: WheelRows, racks: Array, vehicle: AxleLayout | None
+    axle: TwoWheelAxle, left: WheelRows, right: WheelRows, racks: Array, vehicle: AxleLayout | None
 ) -> AxleVariables:
     """Rows of a steered axle at each rack travel (m)."""
     variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
@@ -601,7 +601,7 @@ def steering_rows(
 
 
 def add_steering(
-    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle
+    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: TwoWheelAxle
 ) -> None:
     """Add steer angles of both wheels and, with a vehicle, those of the turn."""
     left_steer, right_steer = left.rows["steer"], -right.rows["steer"]
@@ -622,7 +622,9 @@ def add_steering(
         _add_turn(variables, left, right, vehicle, axle)
 
 
-def handwheel_rows(variables: AxleVariables, axle: Axle, racks: Array, left: WheelRows, right: WheelRows) -> None:
+def handwheel_rows(
+    variables: AxleVariables, axle: TwoWheelAxle, racks: Array, left: WheelRows, right: WheelRows
+) -> None:
     """Add handwheel, pinion and steering ratio, if the corner has a rack ratio."""
     steering = getattr(axle.rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
@@ -640,7 +642,9 @@ def handwheel_rows(variables: AxleVariables, axle: Axle, racks: Array, left: Whe
     variables.add("steering_ratio", 1.0 / (rack_slope * mean), "1", text, "positive: the wheels follow the handwheel")
 
 
-def _add_turn(variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: Axle) -> None:
+def _add_turn(
+    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: TwoWheelAxle
+) -> None:
     """Ackermann and turning circle, from the normals through the contact points and the line of the rear axle.
 
     A turn to the right is viewed in a mirror, so that the inner wheel always is the left one of a left turn: places

@@ -10,9 +10,9 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.kinematics.axle import (
-    Axle,
     AxleVariables,
     Ground,
+    TwoWheelAxle,
     WheelRows,
     add_axle_rows,
     add_steering,
@@ -129,7 +129,7 @@ def sweep_axle(
         at["rack travel"] = rack_travel(steering_of(corner), at["handwheel"])[0]
     if np.any(at["rack travel"] != 0.0):
         check_rack(corner, "0, or a corner with a tie rod")
-    axle = Axle(corner, right=other)
+    axle = TwoWheelAxle(corner, right=other)
     pose = _on_road(axle, at) if placed else _on_wheels(axle, at)
     return _dataset(axle, pose, at, vehicle)
 
@@ -171,7 +171,7 @@ class _Pose:
 class _Middle:
     """Middle of the axle at design, the zero of heave: x of the wheel centres, y 0, z of the contact points."""
 
-    def __init__(self, axle: Axle) -> None:
+    def __init__(self, axle: TwoWheelAxle) -> None:
         at = [axle.wheel(side, np.zeros(1), 0.0) for side in (1.0, -1.0)]
         x, z = (
             np.mean([float(wheel.rows[f"{of}"][0]) for wheel in at]) for of in ("wheel_centre_x", "contact_point_z")
@@ -183,7 +183,7 @@ class _Middle:
         return np.asarray(ground.normal @ self.place)
 
 
-def _on_road(axle: Axle, at: dict[str, Array]) -> _Pose:
+def _on_road(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
     """Move each wheel until it stands on the road given by heave, roll and pitch of the body."""
     middle = _Middle(axle)
     grounds = []
@@ -200,7 +200,7 @@ def _on_road(axle: Axle, at: dict[str, Array]) -> _Pose:
     return _Pose(grounds[0], grounds[1], at["heave"])
 
 
-def _on_wheels(axle: Axle, at: dict[str, Array]) -> _Pose:
+def _on_wheels(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
     """Place the road under both wheels."""
     wheels = [
         axle.wheel(side, at[f"{name} travel"], at["rack travel"]) for side, name in ((1.0, "left"), (-1.0, "right"))
@@ -215,7 +215,7 @@ def _on_wheels(axle: Axle, at: dict[str, Array]) -> _Pose:
     return _Pose(left, right, _Middle(axle).height(left) - left.height)
 
 
-def _dataset(axle: Axle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None) -> xr.Dataset:
+def _dataset(axle: TwoWheelAxle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None) -> xr.Dataset:
     left, right = pose.left, pose.right
     reached = np.isfinite(left.height + right.height)
     if not reached.any():
@@ -243,7 +243,7 @@ def _dataset(axle: Axle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout 
     return variables.dataset(np.ones(count, dtype=bool), axle, axle.rig)
 
 
-def _add_forces(variables: AxleVariables, axle: Axle, left: WheelRows, right: WheelRows) -> None:
+def _add_forces(variables: AxleVariables, axle: TwoWheelAxle, left: WheelRows, right: WheelRows) -> None:
     """Forces of all springs at both wheel centres, and the connections."""
     connection = axle.connection(left, right)
     for name, (value, unit, text, sign) in connection.rows.items():

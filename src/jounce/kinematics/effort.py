@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kinematics.axle import Axle, AxleVariables, handwheel_rows
+from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, handwheel_rows
 from jounce.kinematics.column import handwheel_angle, rack_travel
 from jounce.kinematics.loads import ContactLoad, balanced, vector_forces
 from jounce.kinematics.model import check_corner, check_rack
@@ -66,7 +66,7 @@ def steering_effort(
     corner = corner if corner.side == "left" else corner.mirrored()
     height = to_si(travel, "m", where="wheel travel")
     variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
-    axle, to_left = Axle(corner), "positive: to the left"
+    axle, to_left = TwoWheelAxle(corner), "positive: to the left"
     sides = ((corner, left), (corner.mirrored(), right))
     forces = [_rack_force(axle, side, load, racks, height) for side, load in sides]
     total = forces[0] + forces[1]
@@ -82,7 +82,7 @@ def steering_effort(
     return variables.dataset(np.isfinite(total), axle, corner)
 
 
-def _rack_force(axle: Axle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
+def _rack_force(axle: TwoWheelAxle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
     """Force of a wheel on the rack, N, to the left; NaN at unreachable rack travels, which the axle records."""
     sweep = prepare_sweep(rig, travel, racks)
     rows, joints = balanced(sweep, load)

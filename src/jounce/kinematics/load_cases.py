@@ -16,7 +16,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.text import guarded
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
-from jounce.kinematics.axle import Axle
+from jounce.kinematics.axle import TwoWheelAxle
 from jounce.kinematics.loads import ContactLoad, Joints, balanced, pickup_loads, single_forces, vector_forces
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import CarLength, prepare_sweep
@@ -230,7 +230,7 @@ class FromAcross:
 
 def from_across(left: Corner, travels: tuple[float, float]) -> list[FromAcross]:
     """Effects of anti-roll bar and third spring on each wheel of an axle."""
-    axle, rack = Axle(left), np.full(1, _rack_travel(left))
+    axle, rack = TwoWheelAxle(left), np.full(1, _rack_travel(left))
     wheels = [axle.wheel(side, np.full(1, travel), rack) for side, travel in zip((1.0, -1.0), travels, strict=True)]
     connection = axle.connection(*wheels)
     third = None if connection.third is None else (float(connection.third[0][0]), connection.third[1][0])
@@ -310,7 +310,7 @@ def _together(
     rig: Corner, loads: tuple[ContactLoad, ContactLoad], name: str
 ) -> tuple[tuple[float, float], list[Finding]]:
     """Travels (m) of both wheels at which all springs carry both loads, or come nearest."""
-    axle, rack = Axle(rig), np.full(3, _rack_travel(rig))
+    axle, rack = TwoWheelAxle(rig), np.full(3, _rack_travel(rig))
     size = sum(abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force) for load in loads)
     travel, step, share = np.zeros(2), np.zeros(2), 1.0
     best, least = travel, np.inf

@@ -20,7 +20,7 @@ from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView
-from jounce.mechanics.driven import Driven, Quasistatic
+from jounce.mechanics.driven import DrivenMechanism, Quasistatic
 from jounce.models.attachments import still_third_law, third_law
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
@@ -143,7 +143,7 @@ def _build(rig: Corner) -> KinematicModel:
     linkage = suspension(rig, mechanism, guide="fixed", rack=rack)
     height = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
     mechanism.condition("wheel_travel", height - tracks[0].value)
-    driven = Driven(mechanism, tracks)
+    driven = DrivenMechanism(mechanism, tracks)
     view = CornerView(mechanism, linkage, tracks[0], rack, driven.along(1) if rack is not None else None)
     rows = quantities(view)
     places = _places(view)

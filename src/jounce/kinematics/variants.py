@@ -13,7 +13,7 @@ from jounce.core.samples import as_samples, as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import walk_variants
-from jounce.kinematics.axle import Axle, AxleVariables, check_roll, rolled, steering_rows
+from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, check_roll, rolled, steering_rows
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, sweep_values
 from jounce.parts import Corner, Rig
@@ -154,7 +154,7 @@ def _of_axle(
     rack_of_roll = 0.0 if rack is None or roll is None else _one(rack, "rack travel")
 
     def of(numbers: Array) -> AxleVariables:
-        axle = Axle(rig, numbers)
+        axle = TwoWheelAxle(rig, numbers)
         if roll is not None:
             return rolled(axle, at, rack_of_roll)
         return steering_rows(axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle)

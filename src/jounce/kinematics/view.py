@@ -56,15 +56,15 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class Screw:
+class ScrewMotion:
     """A motion of the upright: its angular velocity, and the velocity of the wheel centre."""
 
     turn: ca.SX
     speed: ca.SX
 
-    def with_share(self, share: ca.SX, other: Screw) -> Screw:
+    def with_share(self, share: ca.SX, other: ScrewMotion) -> ScrewMotion:
         """The motion plus a share of another one."""
-        return Screw(self.turn + share * other.turn, self.speed + share * other.speed)
+        return ScrewMotion(self.turn + share * other.turn, self.speed + share * other.speed)
 
     @property
     def pitch(self) -> ca.SX:
@@ -85,7 +85,7 @@ class Elastic:
     stiffness: ca.SX
 
 
-def steering_screw(rack: Screw, travel: Screw) -> Screw:
+def steering_screw(rack: ScrewMotion, travel: ScrewMotion) -> ScrewMotion:
     """Combine rack and travel to a pure turn, of two the one with less travel; otherwise to a screw of least pitch.
 
     With a share t of travel, the numerator of the pitch is a t^2 + b t + c. Its root of smaller size is the turn about
@@ -93,13 +93,13 @@ def steering_screw(rack: Screw, travel: Screw) -> Screw:
     (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), with the denominator A t^2 + B t + C.
     """
 
-    def turn(screw: Screw) -> ca.SX:
+    def turn(screw: ScrewMotion) -> ca.SX:
         return screw.turn
 
-    def speed(screw: Screw) -> ca.SX:
+    def speed(screw: ScrewMotion) -> ca.SX:
         return screw.speed
 
-    def products(other: Callable[[Screw], ca.SX]) -> tuple[ca.SX, ca.SX, ca.SX]:
+    def products(other: Callable[[ScrewMotion], ca.SX]) -> tuple[ca.SX, ca.SX, ca.SX]:
         mixed = ca.dot(rack.turn, other(travel)) + ca.dot(travel.turn, other(rack))
         return ca.dot(travel.turn, other(travel)), mixed, ca.dot(rack.turn, other(rack))
 
@@ -250,16 +250,16 @@ class CornerView:
         return self._by_rack.with_share(share, self._by_travel).axis(self.centre.value)
 
     @property
-    def _by_travel(self) -> Screw:
-        return Screw(self.spin, self.centre.rate)
+    def _by_travel(self) -> ScrewMotion:
+        return ScrewMotion(self.spin, self.centre.rate)
 
     @property
-    def _by_rack(self) -> Screw:
+    def _by_rack(self) -> ScrewMotion:
         assert self._steered is not None
-        return Screw(self._steered(self.spin), self._steered(self.centre.rate))
+        return ScrewMotion(self._steered(self.spin), self._steered(self.centre.rate))
 
     @cached_property
-    def _turning(self) -> Screw:
+    def _turning(self) -> ScrewMotion:
         return steering_screw(self._by_rack, self._by_travel)
 
     @cached_property

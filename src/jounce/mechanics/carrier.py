@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import casadi as ca
 
-from jounce.mechanics.equations import Inertia
+from jounce.mechanics.equations import InertialTerms
 from jounce.mechanics.frames import Carrier, Frame, Moving, Orientation, symmetric
 from jounce.mechanics.rotations import skew
 
@@ -113,7 +113,7 @@ class Carried:
     centre: Moving
     orientation: Orientation
     inertia: ca.SX
-    alone: Inertia
+    alone: InertialTerms
     """Its contribution to the mass matrix for fixed axes."""
 
 

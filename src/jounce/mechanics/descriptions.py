@@ -73,7 +73,7 @@ def law(unit: str, default: Any = MISSING) -> Any:
 
 
 @dataclass(frozen=True, eq=False)
-class Description:
+class NamedPart:
     """A named part of a mechanism."""
 
     name: str

@@ -77,7 +77,7 @@ class Quasistatic(Mechanism):
         )
 
 
-class Driven:
+class DrivenMechanism:
     """A mechanism, complete but for outputs, whose every motion is driven: as many loop equations as speeds."""
 
     def __init__(self, mechanism: Quasistatic, tracks: list[Track]) -> None:

@@ -20,7 +20,7 @@ from jounce.mechanics.linear_algebra import Ldl
 from jounce.mechanics.model import Alike, Balance, Model, with_numbers
 
 
-class Inertia(Protocol):
+class InertialTerms(Protocol):
     """Something with mass: what it adds to the mass matrix and to the bias forces."""
 
     def matrix(self, v: ca.SX) -> ca.SX:
@@ -83,7 +83,7 @@ class Collection:
     tracks: dict[str, Track] = field(default_factory=dict)
     parameters: dict[str, ca.SX] = field(default_factory=dict)
     switches: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # modes, and what decides them by its sign
-    inertias: list[Inertia] = field(default_factory=list)
+    inertias: list[InertialTerms] = field(default_factory=list)
     loads: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)  # rates, and forces that do power on them
     constraints: list[Constraint] = field(default_factory=list)
     outputs: dict[Output, ca.SX] = field(default_factory=dict)
@@ -252,7 +252,7 @@ class Solved:
 
 def solve(
     v: ca.SX,
-    inertias: Sequence[Inertia],
+    inertias: Sequence[InertialTerms],
     load: ca.SX,
     constraint: Constraint,
     move: Callable[[ca.SX], ca.SX],

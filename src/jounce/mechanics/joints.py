@@ -17,7 +17,7 @@ import numpy as np
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Given, Known, direction, place, quantity
+from jounce.mechanics.descriptions import Given, Known, NamedPart, direction, place, quantity
 from jounce.mechanics.equations import Track
 from jounce.mechanics.frames import Frame, Moving, by_quaternion
 from jounce.mechanics.rotations import normals
@@ -28,7 +28,7 @@ _TURN = 2.0 * np.pi
 
 
 @dataclass(frozen=True)
-class Motion:
+class JointCoordinates:
     """Symbols of a hanging joint: distances and angles with their rates, quaternion and angular velocity."""
 
     q: ca.SX
@@ -38,7 +38,7 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class Row:
+class ClosingEquation:
     """One equation of a closing joint; a multiplier of 1 is this force and torque on the second body, at ``point``.
 
     The first body feels the opposite at the same place. ``residual`` is in ``unit``: ``m``, ``rad`` (the sine of an
@@ -65,7 +65,7 @@ class Effort:
 
 
 @dataclass(frozen=True, eq=False)
-class Joint(Description):
+class Joint(NamedPart):
     """Connection of two bodies. The first joint of a body places it; one between placed bodies closes a loop."""
 
     first: Body
@@ -80,7 +80,7 @@ class Joint(Description):
     refusal: ClassVar[tuple[str, str]] = ("both bodies hang already", "")
     """Message and advice for a joint that cannot close a loop."""
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body it hangs on ``parent``.
 
         Coordinates count from the first body to the second, whichever hangs: where the first hangs on the second,
@@ -88,7 +88,7 @@ class Joint(Description):
         """
         raise NotImplementedError
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Equations that keep it together."""
         raise NotImplementedError
 
@@ -127,7 +127,7 @@ class Fixed(Joint):
     closes = False
     refusal = ("both bodies hang already", "Make them one body.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         return parent.at(parent.design)
 
@@ -144,11 +144,11 @@ class Prismatic(Joint):
     kind = "prismatic"
     coordinates = (("distance", "m"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         return parent.at(self.at).translated(sign * self.axis, motion.q, motion.v)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         normal, other = normals(self.axis)
         sleeve = [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
@@ -171,11 +171,11 @@ class Revolute(Joint):
     kind = "revolute"
     coordinates = (("angle", "rad"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         return parent.at(self.at).turned(sign * self.axis, motion.q, motion.v)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return [*_point_to_point(self, self.at, self.at), *_parallel(self, self.axis)]
 
@@ -196,12 +196,12 @@ class Cylindrical(Joint):
     kind = "cylindrical"
     coordinates = (("distance", "m"), ("angle", "rad"))
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         along, (slide, turn), (speed, spin) = sign * self.axis, *(ca.vertsplit(part) for part in (motion.q, motion.v))
         return parent.at(self.at).translated(along, slide, speed).turned(along, turn, spin)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
 
@@ -231,12 +231,12 @@ class Screw(Joint):
             hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
             raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         along, lead = sign * self.axis, self.pitch / _TURN
         return parent.at(self.at).translated(along, lead * motion.q, lead * motion.v).turned(along, motion.q, motion.v)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """A sleeve, and a mark on the second body that stays on the thread however many turns that makes."""
         first, second = self.first.frame, self.second.frame
         across, sideways = (first.direction(normal) for normal in normals(self.axis))
@@ -245,7 +245,7 @@ class Screw(Joint):
         turn = Moving(*(part * (_TURN / self.pitch) for part in (slide.value, slide.rate, slide.bias)))
         thread = sideways.scaled(turn.cosine) - across.scaled(turn.sine)  # across the mark where turn and slide agree
         climb = -ca.dot(mark.value, across.scaled(turn.cosine).value + sideways.scaled(turn.sine).value)
-        lead = Row(
+        lead = ClosingEquation(
             "lead",
             "rad",
             mark.dot(thread),
@@ -287,7 +287,7 @@ class Universal(Joint):
                 hint="Take as second axis the cross product of the first with a direction across both.",
             )
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
         frame = parent.at(self.at)
@@ -295,7 +295,7 @@ class Universal(Joint):
             frame = frame.turned(*turn)
         return frame
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         axes = self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis)
         return [*_point_to_point(self, self.at, self.at), _square("cross", *axes)]
@@ -317,11 +317,11 @@ class Spherical(Joint):
     kind = "spherical"
     has_quaternion = True
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         return parent.at(self.at).oriented(by_quaternion(motion.e, motion.w))
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return _point_to_point(self, self.at, self.at)
 
@@ -345,7 +345,7 @@ class Link(Joint):
     coordinates = (("angle", "rad"),)
     has_quaternion = True
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """From the hinge out to the ball; or from the ball on the parent back to the hinge of the body."""
         orientation = by_quaternion(motion.e, motion.w)
         if sign > 0.0:
@@ -354,15 +354,17 @@ class Link(Joint):
         ball = parent.at(self.second_at).oriented(orientation)
         return ball.turned(self.axis, motion.q, motion.v).at(self.at).oriented(orientation)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """The ball stays on its circle: at its height along the axis, and at its distance from the hinge."""
         reach, axis = self._reach, self.first.frame.direction(self.axis)
         height, ball = reach.dot(axis), self.second.frame.point(self.second_at).value
         design = self.second_at - self.at
         level = Moving(height.value - ca.dot(design, self.axis), height.rate, height.bias)
         return [
-            Row("along", "m", level, force=axis.value, point=ball),
-            Row("length", "m^2", _half_square(reach, ca.dot(design, design)), force=reach.value, point=ball),
+            ClosingEquation("along", "m", level, force=axis.value, point=ball),
+            ClosingEquation(
+                "length", "m^2", _half_square(reach, ca.dot(design, design)), force=reach.value, point=ball
+            ),
         ]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
@@ -391,7 +393,7 @@ class Free(Joint):
     closes = False
     refusal = ("the body hangs already", "It needs one joint only.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         origin = Moving(self.at + motion.q, motion.v, ca.SX(3, 1))
         return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
@@ -416,7 +418,7 @@ class Driven(Joint):
     closes = False
     refusal = ("both bodies hang already", "Drive a body that has no joint yet.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         still = Track(self.travel, ca.SX(0.0), ca.SX(0.0))
         track = self.travel if isinstance(self.travel, Track) else still
@@ -435,7 +437,7 @@ class PointToPoint(Joint):
     kind = "point to point"
     hangs = False
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return _point_to_point(self, self.at, self.second_at)
 
@@ -470,11 +472,11 @@ class Rod(Joint):
         design = self.second_at - self.at
         return ca.dot(design, design) if self.length is None else ca.SX(self.length**2)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """The multiplier is the rod's force over its length, compression positive."""
         other = self.second.frame.point(self.second_at)
         reach = other - self.first.frame.point(self.at)
-        return [Row("", "m^2", _half_square(reach, self._squared), force=reach.value, point=other.value)]
+        return [ClosingEquation("", "m^2", _half_square(reach, self._squared), force=reach.value, point=other.value)]
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
         """Return the rod's force, N, tension positive."""
@@ -494,7 +496,7 @@ class PointOnLine(Joint):
     kind = "point on line"
     hangs = False
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return _on_line(self, self.at, self.axis, self.point)
 
@@ -511,7 +513,7 @@ class Perpendicular(Joint):
     kind = "perpendicular"
     hangs = False
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return [_square("", self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis))]
 
@@ -527,7 +529,7 @@ class Parallel(Joint):
     kind = "parallel"
     hangs = False
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[ClosingEquation]:
         """Its equations."""
         return _parallel(self, self.axis)
 
@@ -535,37 +537,39 @@ class Parallel(Joint):
 # equations that joints are made of ------------------------------------------------------------------------------
 
 
-def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[Row]:
+def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[ClosingEquation]:
     """Two points in one place; the multipliers are the force on the second body."""
     other = joint.second.frame.point(second_at)
     gap = other - joint.first.frame.point(at)
     return [
-        Row(axis, "m", Moving(gap.value[i], gap.rate[i], gap.bias[i]), force=ca.SX.eye(3)[:, i], point=other.value)
+        ClosingEquation(
+            axis, "m", Moving(gap.value[i], gap.rate[i], gap.bias[i]), force=ca.SX.eye(3)[:, i], point=other.value
+        )
         for i, axis in enumerate("xyz")
     ]
 
 
-def _on_line(joint: Joint, at: ca.SX, axis: ca.SX, point: ca.SX) -> list[Row]:
+def _on_line(joint: Joint, at: ca.SX, axis: ca.SX, point: ca.SX) -> list[ClosingEquation]:
     """A point of the second body on a line of the first."""
     other = joint.second.frame.point(point)
     reach = other - joint.first.frame.point(at)
     across = [joint.first.frame.direction(normal) for normal in normals(axis)]
     return [
-        Row(tag, "m", normal.dot(reach), force=normal.value, point=other.value)
+        ClosingEquation(tag, "m", normal.dot(reach), force=normal.value, point=other.value)
         for tag, normal in zip(("across", "across_2"), across, strict=True)
     ]
 
 
-def _parallel(joint: Joint, axis: ca.SX) -> list[Row]:
+def _parallel(joint: Joint, axis: ca.SX) -> list[ClosingEquation]:
     """A direction of both bodies in parallel."""
     other = joint.second.frame.direction(axis)
     across = [joint.first.frame.direction(normal) for normal in normals(axis)]
     return [_square(tag, normal, other) for tag, normal in zip(("tilt", "tilt_2"), across, strict=True)]
 
 
-def _square(tag: str, one: Moving, other: Moving) -> Row:
+def _square(tag: str, one: Moving, other: Moving) -> ClosingEquation:
     """A direction of the first body at right angles to one of the second."""
-    return Row(tag, "rad", one.dot(other), torque=ca.cross(other.value, one.value))
+    return ClosingEquation(tag, "rad", one.dot(other), torque=ca.cross(other.value, one.value))
 
 
 def _half_square(reach: Moving, squared: ca.SX) -> Moving:

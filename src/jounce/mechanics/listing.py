@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Known, Plain, Write
+from jounce.mechanics.descriptions import Known, NamedPart, Plain, Write
 from jounce.mechanics.expressions import text_of
 from jounce.mechanics.structure import Structure
 
@@ -48,7 +48,7 @@ class Reading:
         result = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
         return np.asarray(result.full(), dtype=np.float64).squeeze()
 
-    def known(self, description: Description) -> Known:
+    def known(self, description: NamedPart) -> Known:
         """Numbers of a description's fields, NaN where they are not known."""
 
         def known(field: str) -> Array:
@@ -104,7 +104,7 @@ class Reading:
         return None if self._mechanism.poses.occurring(expression) else result
 
 
-def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[Description]) -> dict[str, Any]:
+def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[NamedPart]) -> dict[str, Any]:
     """Bodies, joints, loops, conditions, loads, tracks and what is watched (see :meth:`Mechanism.to_dict`)."""
     collection, loops, read = mechanism.collection, mechanism.loops(), Reading(mechanism, values)
     write = read.write

@@ -15,7 +15,7 @@ import numpy as np
 from jounce.core.errors import AssemblyError
 from jounce.core.types import Array
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Given, Known, law, place, quantity
+from jounce.mechanics.descriptions import Given, Known, NamedPart, law, place, quantity
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.system import System
 
@@ -49,7 +49,7 @@ class Action:
 
 
 @dataclass(frozen=True, eq=False)
-class Load(Description):
+class Load(NamedPart):
     """A force law in a mechanism."""
 
     def action(self, system: System) -> Action:

@@ -25,20 +25,20 @@ from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import assemble, refuse_singular, removable
 from jounce.mechanics.bodies import Body, BodyPoint, MassProperties, Poses, RigidMass, tensor_elements
 from jounce.mechanics.carrier import Carried, CarriedMasses, MovingCarrier
-from jounce.mechanics.descriptions import Description, Number, Vector
+from jounce.mechanics.descriptions import NamedPart, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
 from jounce.mechanics.expressions import check_name, expression_of, vector_of
 from jounce.mechanics.facts import Equation
 from jounce.mechanics.frames import GROUND, Moving
-from jounce.mechanics.joints import Joint, Motion
+from jounce.mechanics.joints import Joint, JointCoordinates
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mobility import Freedoms, Mobility
 from jounce.mechanics.model import Model
-from jounce.mechanics.outputs import Watch
+from jounce.mechanics.outputs import OutputDescription
 from jounce.mechanics.reactions import Reaction, reaction_of
 from jounce.mechanics.rotations import unit
-from jounce.mechanics.structure import Closing, Condition, Hanging, Structure
+from jounce.mechanics.structure import Closing, HangingJoint, LoopExpression, Structure
 from jounce.mechanics.system import all_or_nothing
 
 BALANCE = "energy.balance"
@@ -76,7 +76,7 @@ class Mechanism(Structure):
 
     def __init__(self, gravity: Number = GRAVITY) -> None:
         super().__init__()
-        self.watched: dict[str, Watch] = {}
+        self.watched: dict[str, OutputDescription] = {}
         self._finished: dict[tuple[object, ...], Model] = {}
         self._counted: dict[int, Freedoms] = {}
         self.gravity = self.number("gravity", gravity, "m/s^2")
@@ -248,7 +248,7 @@ class Mechanism(Structure):
         names, units = [f"{name}.{tag}" for tag, _ in joint.coordinates], [unit for _, unit in joint.coordinates]
         q, v = self.coordinates(names, [f"{text} rate" for text in names], units=units) if names else (_EMPTY, _EMPTY)
         e, w = self.quaternion(name) if joint.has_quaternion else (_EMPTY, _EMPTY)
-        motion = Motion(q, v, e, w)
+        motion = JointCoordinates(q, v, e, w)
         self.poses.frames[child.name] = joint.hang(parent.frame, motion, sign)
         coordinates, quaternion = (
             tuple(symbol.name() for symbol in ca.vertsplit(part)) if part.numel() else () for part in (q, e)
@@ -257,7 +257,7 @@ class Mechanism(Structure):
         if (given := len(joint.efforts(child, self.ground))) != len(speeds):
             allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
             raise AssemblyError(f"{given} efforts of {type(joint).__name__}", where=name, found=given, allowed=allowed)
-        self.hanging[joint.name] = Hanging(joint, parent, child, motion, coordinates, quaternion, speeds)
+        self.hanging[joint.name] = HangingJoint(joint, parent, child, motion, coordinates, quaternion, speeds)
         self._refuse_clashes()
         return ca.vertcat(q, e)
 
@@ -400,7 +400,7 @@ class Mechanism(Structure):
         value = self.poses.resolved(expression)
         rate = self.rate_of(value)
         multiplier = self.constrain([Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate))
-        self.conditions[placed] = Condition(placed, kind, expression), multiplier
+        self.conditions[placed] = LoopExpression(placed, kind, expression), multiplier
         return multiplier
 
     def _check_track(self, name: str, track: object) -> None:
@@ -841,7 +841,7 @@ class Mechanism(Structure):
         self._see(outputs.WatchedEnergy("energy"))
 
     @all_or_nothing
-    def _see(self, watch: Watch) -> None:
+    def _see(self, watch: OutputDescription) -> None:
         """Add an output; coordinates and energies only once."""
         key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
         if key in self.watched and watch.name != watch.kind:
@@ -917,7 +917,7 @@ class Mechanism(Structure):
         joints_ = [*(hung.joint for hung in self.hanging.values()), *(closed.joint for closed in self.closing.values())]
         self._check_numbers([*joints_, *(load for load, _ in self.loads), *self.watched.values()], values)
 
-    def _check_numbers(self, things: Iterable[Description], values: Mapping[str, float]) -> None:
+    def _check_numbers(self, things: Iterable[NamedPart], values: Mapping[str, float]) -> None:
         """Let descriptions check their numbers."""
         reading = listing.Reading(self, values)
         for each in things:
@@ -1027,7 +1027,7 @@ class Mechanism(Structure):
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
         """Places (m, design pose, at parameter values) of bodies, joints, loads and what is watched, by their paths."""
         reading = listing.Reading(self, values)
-        every: list[Description] = [hung.joint for hung in self.hanging.values()]
+        every: list[NamedPart] = [hung.joint for hung in self.hanging.values()]
         every += [closed.joint for closed in self.closing.values()]
         every += [*(load for load, _ in self.loads), *self.watched.values()]
         given = [

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Given, direction, place
+from jounce.mechanics.descriptions import Given, NamedPart, direction, place
 from jounce.mechanics.reactions import reaction_of
 from jounce.mechanics.rotations import matrix_quaternion, normals, roll_pitch_yaw
 from jounce.mechanics.structure import Structure
 
 
 @dataclass(frozen=True, eq=False)
-class Watch(Description):
+class OutputDescription(NamedPart):
     """Something to be seen."""
 
     def show(self, mechanism: Structure) -> None:
@@ -24,7 +24,7 @@ class Watch(Description):
 
 
 @dataclass(frozen=True, eq=False)
-class WatchedPoint(Watch):
+class WatchedPoint(OutputDescription):
     """Place, velocity and acceleration of a point of a body."""
 
     body: Body
@@ -63,7 +63,7 @@ class WatchedBody(WatchedPoint):
 
 
 @dataclass(frozen=True, eq=False)
-class WatchedAngle(Watch):
+class WatchedAngle(OutputDescription):
     """Turn of a body against another about an axis of the latter."""
 
     first: Body
@@ -81,7 +81,7 @@ class WatchedAngle(Watch):
 
 
 @dataclass(frozen=True, eq=False)
-class WatchedCoordinates(Watch):
+class WatchedCoordinates(OutputDescription):
     """All coordinates and speeds."""
 
     kind = "coordinates"
@@ -102,7 +102,7 @@ class WatchedCoordinates(Watch):
 
 
 @dataclass(frozen=True, eq=False)
-class WatchedReaction(Watch):
+class WatchedReaction(OutputDescription):
     """Force and torque of a joint, closure or condition in the axes of ``frame``."""
 
     on: str | None
@@ -123,7 +123,7 @@ class WatchedReaction(Watch):
 
 
 @dataclass(frozen=True, eq=False)
-class WatchedEnergy(Watch):
+class WatchedEnergy(OutputDescription):
     """Energies, and what is left open of the loops."""
 
     kind = "energy"

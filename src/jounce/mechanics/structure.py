@@ -14,19 +14,19 @@ import casadi as ca
 from jounce.core.types import Array
 from jounce.mechanics.bodies import Body, Poses
 from jounce.mechanics.expressions import expression_of
-from jounce.mechanics.joints import Joint, Motion, Row
+from jounce.mechanics.joints import ClosingEquation, Joint, JointCoordinates
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.system import System
 
 
 @dataclass(frozen=True)
-class Hanging:
+class HangingJoint:
     """A joint of the tree with the body it hangs on another, and the names and symbols of its coordinates."""
 
     joint: Joint
     parent: Body
     child: Body
-    motion: Motion
+    motion: JointCoordinates
     coordinates: tuple[str, ...]
     quaternion: tuple[str, ...]
     speeds: tuple[str, ...]
@@ -37,12 +37,12 @@ class Closing:
     """A joint that closes a loop, its equations and their multipliers."""
 
     joint: Joint
-    rows: tuple[Row, ...]
+    rows: tuple[ClosingEquation, ...]
     multipliers: ca.SX
 
 
 @dataclass(frozen=True)
-class Condition:
+class LoopExpression:
     """An expression that is kept at zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
 
     name: str
@@ -62,9 +62,9 @@ class Structure(System):
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.bodies: dict[str, Body] = {"ground": self.ground}
-        self.hanging: dict[str, Hanging] = {}
+        self.hanging: dict[str, HangingJoint] = {}
         self.closing: dict[str, Closing] = {}
-        self.conditions: dict[str, tuple[Condition, ca.SX]] = {}
+        self.conditions: dict[str, tuple[LoopExpression, ca.SX]] = {}
         self.loads: list[tuple[Load, Action]] = []
 
     @property

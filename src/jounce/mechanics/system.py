@@ -15,7 +15,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 import casadi as ca
 
 from jounce.core.errors import AssemblyError, unknown
-from jounce.mechanics.equations import Collection, Constraint, Inertia, PointMass, Track, form
+from jounce.mechanics.equations import Collection, Constraint, InertialTerms, PointMass, Track, form
 from jounce.mechanics.expressions import check_name, expression_of
 from jounce.mechanics.facts import Equation, Output, speed_of
 from jounce.mechanics.model import Model
@@ -182,7 +182,7 @@ class System:
         self.collection.switches[name] = (mode, decides)
         return mode
 
-    def inertia(self, inertia: Inertia) -> None:
+    def inertia(self, inertia: InertialTerms) -> None:
         """Add something with mass."""
         self.collection.inertias.append(inertia)
 

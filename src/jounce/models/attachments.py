@@ -20,7 +20,7 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.actuation import replaced_tyre
 from jounce.models.bars import Swing, TBar, t_bar
-from jounce.models.linkage import Described, Linkage, Reached, Stretch, Suspension
+from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Reached, Suspension
 from jounce.parts.elements import CoilSpring, TyreLaw
 from jounce.parts.leverage import AXES
 
@@ -56,7 +56,7 @@ def add_strut_points(linkage: Linkage) -> None:
         linkage.owners["third_spring_end"] = linkage.carriers[rig.third_spring.on]
 
 
-def spring_law(linkage: Described, line: Stretch) -> ca.SX:
+def spring_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Force of the strut's spring (N, compression positive); none where a torsion bar takes its place."""
     if "spring" not in linkage.rig.lacks and "spring" in linkage.rig.without:
         return ca.SX(0.0)
@@ -97,7 +97,7 @@ def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
 
 
-def torsion_law(linkage: Described, angle: ca.SX) -> ca.SX:
+def torsion_law(linkage: DescribedSuspension, angle: ca.SX) -> ca.SX:
     """Torque of the torsion bar (N m), positive against bump."""
     number = linkage.mechanism.parameter
     return number("torsion_bar.preload") + number("torsion_bar.stiffness") * angle
@@ -110,14 +110,14 @@ def third_end(linkage: Suspension) -> Moving:
     return linkage.moving("third_spring_end", lambda whole: whole.carriers[on].frame.point(end))
 
 
-def third_law(linkage: Described, length: ca.SX) -> ca.SX:
+def third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
     """Force of the third spring (N, compression positive) at a length (m)."""
     third, design = linkage.rig.third_spring, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
     assert third is not None
     return coil_law(linkage.mechanism, third.spring, "third_spring.spring", length, design)
 
 
-def third_damper_law(linkage: Described, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+def third_damper_law(linkage: DescribedSuspension, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
     """Force of the third damper (N, compression positive)."""
     assert linkage.rig.third_spring is not None
     damper = linkage.rig.third_spring.damper
@@ -126,18 +126,18 @@ def third_damper_law(linkage: Described, deflection: ca.SX, velocity: ca.SX) -> 
     return damper_force(linkage.mechanism, damper, "third_spring.damper", deflection, velocity)
 
 
-def still_third_law(linkage: Described, length: ca.SX) -> ca.SX:
+def still_third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
     """Force of the third damper at rest (N, compression positive) at a length (m)."""
     design = 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
     return third_damper_law(linkage, design - length, ca.SX(0.0))
 
 
-def third_deflection(linkage: Described) -> Reached:
+def third_deflection(linkage: DescribedSuspension) -> Reached:
     """Shortening (m) of the third spring while the other wheel moves alike."""
     third = linkage.rig.third_spring
     assert third is not None
 
-    def shortening(whole: Described, end: ca.SX) -> ca.SX:
+    def shortening(whole: DescribedSuspension, end: ca.SX) -> ca.SX:
         return 2.0 * whole.side * (whole.hardpoint("third_spring_end") - end)[1]
 
     return Reached("third_spring.deflection", third.on, "third_spring_end", shortening)
@@ -149,7 +149,7 @@ def third_deflection(linkage: Described) -> Reached:
 _LEFT = ca.SX([0.0, 1.0, 0.0])
 
 
-def bar_on(linkage: Described) -> str:
+def bar_on(linkage: DescribedSuspension) -> str:
     """Body that the link of the anti-roll bar ends on."""
     return str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))
 
@@ -160,7 +160,7 @@ def link_end(linkage: Suspension) -> Moving:
     return linkage.moving("arb_link_end", lambda whole: whole.carriers[bar_on(whole)].frame.point(end))
 
 
-def bar_axis(linkage: Described) -> ca.SX:
+def bar_axis(linkage: DescribedSuspension) -> ca.SX:
     """Direction of the anti-roll bar's axis on the car's body, to the left (of one across to the left: as given).
 
     A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
@@ -172,10 +172,10 @@ def bar_axis(linkage: Described) -> ca.SX:
     return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
 
 
-def bar_angle(linkage: Described) -> Reached:
+def bar_angle(linkage: DescribedSuspension) -> Reached:
     """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
 
-    def turn(whole: Described, end: ca.SX) -> ca.SX:
+    def turn(whole: DescribedSuspension, end: ca.SX) -> ca.SX:
         pivot, arm, link_ends = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
         return Swing.of(bar_axis(whole), arm - pivot, link_ends - pivot, end - pivot).angle
 
@@ -192,7 +192,7 @@ def t_bar_of(left: Suspension, right: Suspension) -> TBar:
     return t_bar(left.hardpoint("arb_axis") - pivot, arms, link_ends, ends)
 
 
-def bar_stiffness(linkage: Described) -> ca.SX:
+def bar_stiffness(linkage: DescribedSuspension) -> ca.SX:
     """Stiffness of the anti-roll bar with its blades in series, N m/rad of twist."""
     number, bar = linkage.mechanism.parameter, linkage.rig.anti_roll_bar
     stiffness = number("anti_roll_bar.stiffness")
@@ -217,7 +217,7 @@ def bar_stiffness(linkage: Described) -> ca.SX:
 # springs and dampers of the strut -------------------------------------------------------------------------------------
 
 
-def stop_law(linkage: Described, line: Stretch) -> ca.SX:
+def stop_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Force of bump and rebound stops (N, compression positive)."""
     strut = linkage.rig.strut
     bump = bump_stop_force(linkage.mechanism, strut.bump_stop, "strut.bump_stop", line.deflection)
@@ -225,18 +225,18 @@ def stop_law(linkage: Described, line: Stretch) -> ca.SX:
     return bump - rebound
 
 
-def damper_law(linkage: Described, line: Stretch) -> ca.SX:
+def damper_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Damper force (N, compression positive)."""
     mechanism, damper = linkage.mechanism, linkage.rig.strut.damper
     return damper_force(mechanism, damper, "strut.damper", line.deflection, -line.rate, length=line.length)
 
 
-def friction_law(linkage: Described, line: Stretch) -> ca.SX:
+def friction_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Dry friction of the strut (N, compression positive), which stays where an actuator takes the damper's place."""
     return friction_force(linkage.mechanism, linkage.rig.strut.friction, "strut.friction", -line.rate)
 
 
-def undeformed_radius(linkage: Described) -> ca.SX:
+def undeformed_radius(linkage: DescribedSuspension) -> ca.SX:
     """Radius of the unloaded tyre, m."""
     given = linkage.rig.tyre.undeformed_radius is not None
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
@@ -301,7 +301,9 @@ def add_tyre(
     return Pressed(deflection, force, point, closing)
 
 
-def tyre_law(linkage: Described, deflection: ca.SX, rate: ca.SX, actuator: AnyActuator | None = None) -> ca.SX:
+def tyre_law(
+    linkage: DescribedSuspension, deflection: ca.SX, rate: ca.SX, actuator: AnyActuator | None = None
+) -> ca.SX:
     """Force (N) of the tyre, or of what is in its place, along its deflection (m), which has a rate (m/s)."""
     law = replaced_tyre(linkage.mechanism, actuator, rate)
     return tyre_force(linkage.mechanism, linkage.rig.tyre, deflection, rate, law)

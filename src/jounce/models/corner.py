@@ -42,7 +42,7 @@ from jounce.models.channels import (
     show_strut,
     show_tyre,
 )
-from jounce.models.linkage import Described, Linkage, Stretch, Suspension, guided
+from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Suspension, guided
 from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 
@@ -130,7 +130,7 @@ def add_strut(linkage: Suspension, actuator: AnyActuator | None = None) -> dict[
 
 
 def strut_forces(
-    linkage: Described, spring: Stretch, damper: Stretch, actuator: AnyActuator | None = None
+    linkage: DescribedSuspension, spring: ElementLength, damper: ElementLength, actuator: AnyActuator | None = None
 ) -> tuple[ca.SX, ca.SX]:
     """Forces (N, compression positive) of spring and stops, and of damper (or actuator) and friction; show them."""
     mechanism = linkage.mechanism
@@ -147,7 +147,7 @@ def strut_forces(
     return elastic + stops, viscous
 
 
-def add_torsion_bar(linkage: Described) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_torsion_bar(linkage: DescribedSuspension) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add the torsion bar; return its torque (N m) and the rate (rad/s) that winds it up."""
     mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
     if bar is None:
@@ -160,7 +160,7 @@ def add_torsion_bar(linkage: Described) -> dict[str, tuple[ca.SX, ca.SX]]:
     return {"torsion bar": (torque, mechanism.rate_of(angle))}
 
 
-def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_both_alike(linkage: DescribedSuspension, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add this wheel's half of third spring and Z-bar, the other wheel moving alike; as ``add_strut`` of each."""
     rig, mechanism = linkage.rig, linkage.mechanism
     both_alike: dict[str, tuple[ca.SX, ca.SX]] = {}
@@ -195,7 +195,7 @@ def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> Non
     mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
 
 
-def show_motions(linkage: Described, centre: ca.SX, heave: ca.SX | None = None) -> None:
+def show_motions(linkage: DescribedSuspension, centre: ca.SX, heave: ca.SX | None = None) -> None:
     """Add channels of body, wheel and its angles, and the guide's friction; heights (m) are relative to design.
 
     ``heave`` is that of the body, by default the guide's.
@@ -211,7 +211,7 @@ def show_motions(linkage: Described, centre: ca.SX, heave: ca.SX | None = None) 
     show_wheel(linkage)
 
 
-def _guide_friction(linkage: Described, heave: ca.SX) -> None:
+def _guide_friction(linkage: DescribedSuspension, heave: ca.SX) -> None:
     mechanism, friction = linkage.mechanism, linkage.rig.guide_friction
     if friction is None:
         return
@@ -220,7 +220,7 @@ def _guide_friction(linkage: Described, heave: ca.SX) -> None:
     mechanism.output("guide.force", -force, "N", "guide friction on the sprung mass, up positive")
 
 
-def show_wheel(linkage: Described) -> None:
+def show_wheel(linkage: DescribedSuspension) -> None:
     """Let the angles of the wheel be seen."""
     show, of_wheel = linkage.mechanism.output, linkage.of_wheel
     show("wheel.camber", of_wheel("wheel.camber", _camber), "rad", "camber, positive top outward")

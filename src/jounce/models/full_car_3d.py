@@ -47,7 +47,7 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 
 @dataclass(frozen=True)
-class _Wheel:
+class _CornerOnRoad:
     """A corner on the road, with its travel against the body in m; ``scope`` prefixes its names and parameters."""
 
     scope: tuple[str, str]
@@ -134,7 +134,7 @@ def _corner(
     side: str,
     actuator: AnyActuator | None,
     hang: Callable[..., Suspension],
-) -> _Wheel:
+) -> _CornerOnRoad:
     """Add one corner in the axes of the body, on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     scope = f"{name}_{side}", f"{name}.corner"
@@ -155,10 +155,10 @@ def _corner(
         ):
             show_height(mechanism, which, linkage.carrier.height(place) - design[2], text)
         show_wheel(linkage)
-    return _Wheel(scope, linkage, centre, centre.value[2] - design[2], road, tyre)
+    return _CornerOnRoad(scope, linkage, centre, centre.value[2] - design[2], road, tyre)
 
 
-def _show_detail(mechanism: Mechanism, wheels: list[_Wheel]) -> None:
+def _show_detail(mechanism: Mechanism, wheels: list[_CornerOnRoad]) -> None:
     """Let places, reactions of joints and energies be seen."""
     for wheel in wheels:
         assert isinstance(wheel.linkage, Linkage)
@@ -170,7 +170,7 @@ def _show_detail(mechanism: Mechanism, wheels: list[_Wheel]) -> None:
     mechanism.watch_energy()
 
 
-def _anti_roll_bar(pair: list[_Wheel], rate: ca.SX) -> None:
+def _anti_roll_bar(pair: list[_CornerOnRoad], rate: ca.SX) -> None:
     """Let a bar (N/m) push down the wheel that travels further, and the other one up."""
     twist = rate * (pair[0].travel - pair[1].travel)
     for wheel in pair:
@@ -178,7 +178,7 @@ def _anti_roll_bar(pair: list[_Wheel], rate: ca.SX) -> None:
         wheel.linkage.push_off("anti_roll_bar", "upright", wheel.centre, down)
 
 
-def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
+def _described_bar(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
     """Let the anti-roll bar that the corner describes twist by the difference of its ends, a Z-bar by their sum."""
     bar = pair[0].linkage.rig.anti_roll_bar
     if bar is None:
@@ -199,7 +199,7 @@ def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     show_bar(mechanism, twist, torque)
 
 
-def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
+def _third_spring(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
     """Add a third spring and damper between the left and the right side."""
     third = pair[0].linkage.rig.third_spring
     if third is None:
@@ -226,7 +226,7 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
     return inertia
 
 
-def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_Wheel]) -> None:
+def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_CornerOnRoad]) -> None:
     """Apply the road's forces against the inertia of driving (m/s^2), at each wheel by its share of the load."""
     assert body.mass_properties is not None
     mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)

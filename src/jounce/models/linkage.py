@@ -17,7 +17,7 @@ from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
 
 
-class Described(ABC):
+class DescribedSuspension(ABC):
     """A suspension as its force laws read it: the numbers of its description, and what they see of its pose."""
 
     rig: Corner  # only its structure matters, its numbers are parameters
@@ -89,9 +89,9 @@ class Reached:
     name: str
     on: str
     point: str
-    formula: Callable[[Described, ca.SX], ca.SX]
+    formula: Callable[[DescribedSuspension, ca.SX], ca.SX]
 
-    def value(self, linkage: Described) -> ca.SX:
+    def value(self, linkage: DescribedSuspension) -> ca.SX:
         """The quantity."""
 
         def formula(whole: Linkage) -> ca.SX:
@@ -105,7 +105,7 @@ class Reached:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class ElementLength:
     """Length of an element, its rate, and the length at design."""
 
     length: ca.SX
@@ -119,14 +119,14 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Line(Stretch):
+class Line(ElementLength):
     """The line between the two ends of an element."""
 
     bottom: Moving
     top: Moving
 
 
-class Suspension(Described):
+class Suspension(DescribedSuspension):
     """A suspension whose points have their places in the axes of what carries it."""
 
     mechanism: Mechanism
@@ -138,11 +138,11 @@ class Suspension(Described):
         """Return a point or a direction, by its formula or by its name."""
 
     @abstractmethod
-    def line(self, element: str) -> Stretch:
+    def line(self, element: str) -> ElementLength:
         """Return the length of ``"spring"`` or ``"damper"``."""
 
     @abstractmethod
-    def push(self, line: Stretch, force: ca.SX) -> None:
+    def push(self, line: ElementLength, force: ca.SX) -> None:
         """Apply a force (N) that pushes the ends of an element apart."""
 
     def push_off(self, name: str, on: str, point: Moving, force: ca.SX) -> None:
@@ -214,7 +214,7 @@ class Linkage(Suspension):
         length = self.of_pose(f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value)))
         return Line(length, ca.dot(reach.value, reach.rate) / length, self.design_length(element), lower, upper)
 
-    def push(self, line: Stretch, force: ca.SX) -> None:
+    def push(self, line: ElementLength, force: ca.SX) -> None:
         """Apply a force (N) that pushes the ends of an element apart."""
         assert isinstance(line, Line)
         body = self.carriers[self.rig.strut.on]

@@ -20,7 +20,7 @@ from jounce.parts.vehicles import FullAxle, FullCar, HalfCar, HalfCar4DOF, Vehic
 
 
 @dataclass(frozen=True)
-class Body:
+class LumpedBody:
     """The body's coordinates: height of the centre of gravity (m), pitch and roll (rad; roll 0 in half cars)."""
 
     z: ca.SX
@@ -32,7 +32,7 @@ class Body:
         return self.z - x * self.pitch + y * self.roll
 
 
-def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> Body:
+def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> LumpedBody:
     """Add the body with its weight, the moments of driving, and its channels."""
     z, pitch = system.coordinate("body.z"), system.coordinate("body.pitch", "rad")
     roll = system.coordinate("body.roll", "rad") if rolls else ca.SX(0.0)
@@ -43,8 +43,8 @@ def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> Body:
     system.force(pitch, _pitch_moment(system, vehicle))
     if rolls:
         system.point_mass(system.parameter("body.roll_inertia"), roll)
-    _show_body(system, Body(z, pitch, roll), rolls=rolls)
-    return Body(z, pitch, roll)
+    _show_body(system, LumpedBody(z, pitch, roll), rolls=rolls)
+    return LumpedBody(z, pitch, roll)
 
 
 def _pitch_moment(system: System, vehicle: Vehicle) -> ca.SX:
@@ -58,7 +58,7 @@ def _pitch_moment(system: System, vehicle: Vehicle) -> ca.SX:
     return moment
 
 
-def _show_body(system: System, body: Body, *, rolls: bool) -> None:
+def _show_body(system: System, body: LumpedBody, *, rolls: bool) -> None:
     show_height(system, "body", body.z, "centre of gravity of the body")
     for turn in list(TURNS)[: 1 + rolls]:
         show_turn(system, turn, getattr(body, turn))
@@ -166,7 +166,7 @@ _SIDES = {"left": 1.0, "right": -1.0}
 
 
 @dataclass(frozen=True)
-class _Wheel:
+class _HungWheel:
     """A wheel hung under the body: heights of wheel and body above it, and deflection of its strut, m."""
 
     unsprung: ca.SX
@@ -190,8 +190,8 @@ def full_car(vehicle: FullCar, *, actuator: AnyActuator | None = None) -> Model:
 
 
 def _axle(
-    system: System, name: str, axle: FullAxle, body: Body, end: float, actuator: AnyActuator | None
-) -> dict[str, _Wheel]:
+    system: System, name: str, axle: FullAxle, body: LumpedBody, end: float, actuator: AnyActuator | None
+) -> dict[str, _HungWheel]:
     """Two wheels of the front (``end`` 1) or rear axle (-1), with the axle's parameters."""
     gravity = system.parameter("gravity")
     wheels = {}
@@ -200,11 +200,11 @@ def _axle(
             x, y = end * system.parameter("distance"), 0.5 * sign * system.parameter("track")
             height = body.height(x, y)
             unsprung, _ = add_wheel(system, axle, height, gravity, actuator=actuator)
-            wheels[side] = _Wheel(unsprung, height, unsprung - height)
+            wheels[side] = _HungWheel(unsprung, height, unsprung - height)
     return wheels
 
 
-def _lateral(system: System, body: Body, axles: dict[str, dict[str, _Wheel]]) -> None:
+def _lateral(system: System, body: LumpedBody, axles: dict[str, dict[str, _HungWheel]]) -> None:
     """Let a lateral acceleration roll the body about the roll centres; the rest of its moment goes to the wheels."""
     acceleration = system.track("lateral_acceleration").value
     front, rear = (system.parameter(f"{name}.distance") for name in axles)

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from jounce.mechanics import Model, System
-from jounce.mechanics.driven import Driven, Quasistatic
+from jounce.mechanics.driven import DrivenMechanism, Quasistatic
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.models.attachments import contact_point, tyre_law, undeformed_radius
 from jounce.models.channels import show_tyre
@@ -26,7 +26,7 @@ from jounce.models.corner import (
     show_wheel,
     strut_forces,
 )
-from jounce.models.linkage import Described, Linkage, Reached, Stretch, guided
+from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Reached, guided
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
@@ -74,7 +74,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     centre = linkage.wheel_centre
     rise = centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
     mechanism.condition("wheel_travel", rise - height - travel.value)
-    driven = Driven(mechanism, [travel, heave] if rack is None else [travel, heave, rack])
+    driven = DrivenMechanism(mechanism, [travel, heave] if rack is None else [travel, heave, rack])
     _see(linkage)
     along = driven.along(0)
     v = driven.statics.v
@@ -90,7 +90,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     return sampled(mechanism, driven, quantities)
 
 
-def sampled(mechanism: Quasistatic, driven: Driven, quantities: dict[str, ca.SX]) -> SampledCorner:
+def sampled(mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]) -> SampledCorner:
     """Make the functions that sample quantities of a driven pose, rates in them those of unit travel rate."""
     output = driven.along(0)(ca.vertcat(*quantities.values()))
     made = {"pose": driven.pose(), "output": output}
@@ -127,13 +127,13 @@ def _see(linkage: Watched) -> None:
         _lean(linkage)
 
 
-def _lean(linkage: Described) -> ca.SX:
+def _lean(linkage: DescribedSuspension) -> ca.SX:
     """Cosine of the wheel's lean."""
     return linkage.of_pose("tyre.upright", lambda whole: contact_point(whole, ca.SX(0.0))[1])
 
 
 @dataclass
-class _Tabulated(Described):
+class _Tabulated(DescribedSuspension):
     """A suspension of which polynomials of its travel ``x`` (from -1 to 1) say all that is to be known."""
 
     rig: Corner
@@ -160,14 +160,14 @@ class _Tabulated(Described):
         """A quantity that is not a formula of the pose alone."""
         return self.of_pose(name, lambda whole: whole.wheel_centre.value)
 
-    def stretch(self, element: str) -> Stretch:
+    def stretch(self, element: str) -> ElementLength:
         """Length of the spring or the damper."""
         length = self.quantity(f"{element if self.damper_stands_apart else 'spring'}.length")
-        return Stretch(length, self.mechanism.rate_of(length), self.design_length(element))
+        return ElementLength(length, self.mechanism.rate_of(length), self.design_length(element))
 
 
 @dataclass(frozen=True)
-class Hanging:
+class HangingMass:
     """All that hangs on a body that moves along z, and travels by one coordinate: rates of both, masses (see above)."""
 
     rates: ca.SX
@@ -225,5 +225,5 @@ def _hang(linkage: _Tabulated, gravity: ca.SX, rising: ca.SX, travelling: ca.SX)
     system = linkage.mechanism
     mass, momentum, inertia = system.parameter(of_travel(MASS, 0)[0]), *map(linkage.quantity, (MOMENTUM, INERTIA))
     rates = ca.vertcat(rising, travelling)
-    system.inertia(Hanging(rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)))
+    system.inertia(HangingMass(rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)))
     system.load(mass * rising + momentum * travelling, -gravity)

@@ -17,14 +17,14 @@ import casadi as ca
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.carrier import MovingCarrier, Shifting, TravellingMasses
-from jounce.mechanics.driven import Driven, Quasistatic
+from jounce.mechanics.driven import DrivenMechanism, Quasistatic
 from jounce.mechanics.facts import HALF, MIDDLE, REACH, of_travel
 from jounce.mechanics.frames import Frame, Moving, Orientation
 from jounce.mechanics.rotations import skew
 from jounce.models.attachments import bar_angle, link_end, third_end
 from jounce.models.corner import add_torsion_bar, build_linkage
 from jounce.models.full_car_3d import full_car_3d
-from jounce.models.linkage import Linkage, Reached, Stretch, Suspension
+from jounce.models.linkage import ElementLength, Linkage, Reached, Suspension
 from jounce.models.reduced import INERTIA, MASS, SampledCorner, Watched, sampled
 from jounce.parts.corners import Corner
 from jounce.parts.vehicles import FullCar3D
@@ -45,7 +45,7 @@ def sampled_suspension(rig: Corner) -> SampledCorner:
     linkage = build_linkage(rig, mechanism, mechanism.ground, rack=rack, kind=_Seen, **place)
     rise = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
     mechanism.condition("wheel_travel", rise - travel.value)
-    driven = Driven(mechanism, [travel] if rack is None else [travel, rack])
+    driven = DrivenMechanism(mechanism, [travel] if rack is None else [travel, rack])
     linkage.see()
     origin = ca.vertcat(*(number(f"{ORIGIN}[{i}]") for i in range(3)))
     return sampled(mechanism, driven, _masses(linkage, origin) | linkage.seen)
@@ -218,10 +218,10 @@ class _Travelling(Suspension):
         """Return a quantity that also depends on the body's attitude, by its formula."""
         return formula(self)
 
-    def line(self, element: str) -> Stretch:
+    def line(self, element: str) -> ElementLength:
         """Length of the spring or the damper."""
         length = self._curve(f"{element if self.damper_stands_apart else 'spring'}.length")
-        return Stretch(length.value, length.slope * self.rate, self.design_length(element))
+        return ElementLength(length.value, length.slope * self.rate, self.design_length(element))
 
     def carrier_of(self, name: str) -> Body:  # noqa: ARG002 - points know their places by themselves
         """Substitute for all bodies of the suspension in loads."""
@@ -231,7 +231,7 @@ class _Travelling(Suspension):
         """Let a force (N, N m) push a quantity to greater values."""
         self.mechanism.force(reached.value(self), force)
 
-    def push(self, line: Stretch, force: ca.SX) -> None:
+    def push(self, line: ElementLength, force: ca.SX) -> None:
         """Let a force (N) push the ends of an element apart."""
         self.mechanism.load(line.rate, force)
 

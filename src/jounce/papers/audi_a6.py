@@ -100,7 +100,7 @@ class AxleStatics:
 
 
 @dataclass(frozen=True)
-class Statics:
+class StaticEquilibrium:
     """Static equilibrium: height ``z`` (m) of the centre of gravity, ``theta`` (rad, nose down positive), axles."""
 
     z: float
@@ -120,7 +120,7 @@ class CaseRun(jn.Plain):
 
     moment: float
     variant: str
-    statics: Statics
+    statics: StaticEquilibrium
     outputs: dict[str, tuple[Window, ...]]
     peak_acceleration: float
     least_wheel_force: float
@@ -269,17 +269,17 @@ def case_run(vehicle: jn.HalfCar, case: Case, moment: float, variant: str) -> Ca
     return CaseRun(moment, variant, statics, outputs, peak, least, signals)
 
 
-def half_car_statics(vehicle: jn.HalfCar) -> Statics:
+def half_car_statics(vehicle: jn.HalfCar) -> StaticEquilibrium:
     """Static equilibrium of a half car on a level road."""
     rest = jn.equilibrium(vehicle)
     axles = (
         AxleStatics(2.0 * rest[f"{axle}.strut.force"], rest[f"{axle}.strut.force"], rest[f"{axle}.strut.deflection"])
         for axle in ("front", "rear")
     )
-    return Statics(rest["body.z"], rest["body.pitch"], *axles)
+    return StaticEquilibrium(rest["body.z"], rest["body.pitch"], *axles)
 
 
-def _signals(run: xr.Dataset, statics: Statics) -> xr.Dataset:
+def _signals(run: xr.Dataset, statics: StaticEquilibrium) -> xr.Dataset:
     """Collect what the paper's oscilloscopes show: changes of bounce and pitch, forces of the axles, road, moment."""
     value = {str(name): run[name].to_numpy() for name in run.data_vars}
     channels = {

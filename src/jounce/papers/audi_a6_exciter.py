@@ -56,7 +56,7 @@ class Oscillation:
 
 
 @dataclass(frozen=True)
-class Drive:
+class ExciterDrive:
     """The exciter's drive in steady motion: torque (N m), mean power, and mean heat of the dampers (W)."""
 
     torque: Range
@@ -83,7 +83,7 @@ class PlateRun(jn.Plain):
     spring_length: Range
     spring_force: Range
     shortest: float
-    drive: Drive
+    drive: ExciterDrive
     signals: xr.Dataset
 
 
@@ -239,7 +239,7 @@ def _plate_run(variant: str, rig: jn.QuarterCar, amplitude: float, plate_mass: f
         _range(steady["spring.length"]),
         _range(steady["spring.force"]),
         float(signals["spring.length"].min()),
-        Drive(
+        ExciterDrive(
             _range(steady["excenter.torque"]),
             float(steady["excenter.power"].mean()),
             float(steady["dampers.power"].mean()),

@@ -76,7 +76,7 @@ class Derived:
 
 
 @dataclass(frozen=True)
-class LumpedCorner:
+class VehicleCorner:
     """A corner with its spring and damper referred to vertical motion of the wheel centre.
 
     The rig has the vehicle's own damper; its strut deflection is 0 at the design position. Motion ratios are shortening
@@ -167,7 +167,7 @@ def hmmwv_corner() -> jn.ChronoCorner:
     return jn.read_chrono_corner(folder / "HMMWV_DoubleWishboneFront_mapShock.json")
 
 
-def lumped_corner(corner: jn.ChronoCorner) -> LumpedCorner:
+def lumped_corner(corner: jn.ChronoCorner) -> VehicleCorner:
     """Refer a double wishbone to the vertical motion of its wheel centre.
 
     Examples
@@ -208,7 +208,7 @@ def lumped_corner(corner: jn.ChronoCorner) -> LumpedCorner:
         Derived("own damper at the wheel, rebound", damping[1], "N*s/m", in_map),
         Derived("stroke of the damper", stroke, "m", "range of lengths of the damper map"),
     )
-    return LumpedCorner(_rig(corner, masses, rate, damping), *ratios, *travels, stroke, origins)
+    return VehicleCorner(_rig(corner, masses, rate, damping), *ratios, *travels, stroke, origins)
 
 
 def _rig(
@@ -250,7 +250,7 @@ def _about_axis(corner: jn.ChronoCorner, name: str, axis: Array, point: Array) -
 
 
 @dataclass(frozen=True)
-class MeasuredDamper:
+class StudyDamper:
     """One record of the damper (at the voltage in its name) with the laws fitted to it."""
 
     name: str
@@ -269,7 +269,7 @@ class MeasuredDamper:
 
 
 @dataclass(frozen=True)
-class Similitude:
+class ForceScaling:
     """How a small damper becomes a large one on a vehicle.
 
     With r = motion_ratio / stroke_scale, the force at the wheel is
@@ -287,7 +287,7 @@ class Similitude:
         return self.motion_ratio / self.stroke_scale
 
 
-def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ...]]:
+def measured_dampers() -> tuple[tuple[StudyDamper, ...], tuple[jn.Finding, ...]]:
     """Read the shipped records and fit the laws; velocities are central differences of the displacement."""
     folder = Path(str(resources.files("jounce"))) / "library" / "measurements" / "mr_damper"
     result, findings = [], list[jn.Finding]()
@@ -303,11 +303,11 @@ def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ..
         curves: dict[str, jn.DamperCurve] = {
             law: jn.damper_curve(fit, *record, velocity_from="displacement") for law, fit in laws.items()
         }
-        result.append(MeasuredDamper(name, laws, curves))
+        result.append(StudyDamper(name, laws, curves))
     return tuple(result), tuple(findings)
 
 
-def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[str, Any]:
+def referred_to_wheel(table: Mapping[str, Any], similitude: ForceScaling) -> dict[str, Any]:
     """Damper table of a rig with its strut at the wheel, from the table of the measured damper.
 
     What multiplies velocity or displacement changes with motion_ratio * force_scale * r, forces with
@@ -354,9 +354,9 @@ class ProvingGround:
     acceleration (m/s^2) of the first damper there without the tyre's envelope.
     """
 
-    dampers: tuple[MeasuredDamper, ...]
-    corner: LumpedCorner
-    similitude: Similitude
+    dampers: tuple[StudyDamper, ...]
+    corner: VehicleCorner
+    similitude: ForceScaling
     equivalent: dict[str, float]
     derived: tuple[Derived, ...]
     rigs: dict[str, jn.QuarterCar]
@@ -479,11 +479,11 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
     return np.asarray(area[piece] + way * (height[piece] + 0.5 * way * slope[piece]))
 
 
-def _scaled(dampers: tuple[MeasuredDamper, ...], corner: LumpedCorner) -> tuple[Similitude, dict[str, float]]:
+def _scaled(dampers: tuple[StudyDamper, ...], corner: VehicleCorner) -> tuple[ForceScaling, dict[str, float]]:
     """Choose the scales; return them with the damping ratios, also of the vehicle's own damper."""
     rig = corner.rig
     stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
-    unit = Similitude(stroke, 1.0, corner.damper_motion_ratio)
+    unit = ForceScaling(stroke, 1.0, corner.damper_motion_ratio)
     frequency = body_frequency(rig.with_changes({"strut.damper": {"coefficient": 0.0}}))
     critical = _critical(rig)
     shares = {
@@ -533,7 +533,7 @@ def _with_damper(rig: jn.QuarterCar, table: dict[str, Any]) -> jn.QuarterCar:
     return jn.QuarterCar.from_table(plain)
 
 
-def _derived(similitude: Similitude, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
+def _derived(similitude: ForceScaling, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
     amplitude = f"at {1e3 * AMPLITUDE:g} mm of wheel travel and the frequency of body bounce"
     per_cycle = f"energy per cycle / (π ω x²) / 2√(k m), {amplitude}"
     stroke = "stroke of the vehicle's damper map over the largest measured one; velocities scale with it, time does not"
@@ -557,7 +557,7 @@ def _derived(similitude: Similitude, equivalent: dict[str, float], length: float
 
 
 def ride_figures(
-    run: xr.Dataset, rig: jn.QuarterCar, corner: LumpedCorner, fastest: float = np.inf
+    run: xr.Dataset, rig: jn.QuarterCar, corner: VehicleCorner, fastest: float = np.inf
 ) -> dict[str, float]:
     """Ride figures (see `FIGURES`, SI) of one drive over the undulated part.
 

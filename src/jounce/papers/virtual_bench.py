@@ -72,7 +72,7 @@ def shipped_truth() -> jn.BenchTruth:
 
 
 @dataclass(frozen=True)
-class TruePass:
+class SimulatedPass:
     """Truth of a pass: exact speed (m/s), and delay of its recording (s)."""
 
     speed: float
@@ -313,15 +313,15 @@ def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float =
     return jn.Train(of=obstacle, count=_OBSTACLES_IN_TRAIN, pitch=row.pitch)
 
 
-def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None) -> TruePass:
+def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None) -> SimulatedPass:
     """Return what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
     truth = truth or shipped_truth()
     told = truth.passes.get(str(row.number))
     if told is not None:
-        return TruePass(told.speed, told.lag)
+        return SimulatedPass(told.speed, told.lag)
     generator = _generator(seed, f"pass {row.number}")
     speed = row.speed + generator.uniform(-1.0, 1.0) * truth.belt.speed_error
-    return TruePass(round(speed, 5), round(generator.uniform(-1.0, 1.0) * truth.belt.lag, 6))
+    return SimulatedPass(round(speed, 5), round(generator.uniform(-1.0, 1.0) * truth.belt.lag, 6))
 
 
 def _pass(row: Table2Row, plan: BenchPlan, truth: jn.BenchTruth) -> str:

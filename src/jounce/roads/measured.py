@@ -146,7 +146,7 @@ class Crg(SampledRoad):
         """Whether the file's options say that the course repeats."""
         return self._course().beyond in ("repeat", "reflect", "closed")
 
-    def _course(self) -> Course:
+    def _course(self) -> CrgCourse:
         return read_course(self.file, self.v)
 
     def _between(self, low: float, high: float) -> Segments:
@@ -260,7 +260,7 @@ _BEYOND: dict[int, Beyond] = {0: "nothing", 1: "keep", 2: "keep", 3: "repeat", 4
 
 
 @dataclass(frozen=True)
-class Course:
+class CrgCourse:
     """Heights along one lateral offset of an OpenCRG road, and its continuation beyond the ends.
 
     Attributes
@@ -320,14 +320,14 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
     return profile.s.copy(), profile.height.copy()
 
 
-def read_course(path: Path | str, lateral_offset: float = 0.0) -> Course:
+def read_course(path: Path | str, lateral_offset: float = 0.0) -> CrgCourse:
     """Read the path at one lateral offset in m, with what the options of the file say of its ends."""
     file = existing_file(path, RecordingError)
     return _course(str(file), float(lateral_offset), state_of(file))
 
 
 @lru_cache(maxsize=16)
-def _course(file: str, offset: float, _state: State) -> Course:
+def _course(file: str, offset: float, _state: State) -> CrgCourse:
     road = _read(file)
     height = _height(road, offset, file)
     _check_heights(road, height, offset, file)
@@ -337,13 +337,13 @@ def _course(file: str, offset: float, _state: State) -> Course:
     if int(road.get_option("refline_continuation")) == 1:
         link = _link(road, offset, file)
         if link is not None:
-            return Course(s, height, _closed(profile, link, _levels(road, profile)), "closed")
+            return CrgCourse(s, height, _closed(profile, link, _levels(road, profile)), "closed")
     if beyond == "reflect":
         profile = _with_mirror(profile)
     elif beyond == "keep":
         before, after = _levels(road, profile)
         profile = Profile(profile.edges, profile.kind, profile.coefficients, before, after)
-    return Course(s, height, profile, beyond)
+    return CrgCourse(s, height, profile, beyond)
 
 
 def _read(file: str) -> Any:

@@ -35,7 +35,7 @@ from jounce.variants.designs import MOST, Design, is_list
 from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, check_durations, of_course, of_courses, of_sums, read_metrics
-from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
+from jounce.variants.side_by_side import LEAST, SharedLayout, lay_out, sums_side_by_side
 from jounce.variants.threads import Item, processors, share
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ _TRIAL, _CONTROL = "trial.", "control."
 
 
 @dataclass(frozen=True)
-class Work:
+class VariantWork:
     """The run of every variant and the results to keep: all that another process needs, except the variants.
 
     Attributes
@@ -65,7 +65,7 @@ class Work:
         How the variants were laid out, where by a design.
     """
 
-    study: Study
+    study: VariantStudy
     metrics: list[RunMetric]
     channels: list[str]
     design: dict[str, str | int]
@@ -87,7 +87,7 @@ class Work:
         if workers > 1:
             results.make_room()
 
-            def fill(pairs: Iterable[tuple[_Group, NDArray[np.int64]]]) -> None:
+            def fill(pairs: Iterable[tuple[_TrialGroup, NDArray[np.int64]]]) -> None:
                 for group, own in pairs:
                     group.fill(results, columns, own, 1)
 
@@ -103,11 +103,11 @@ def prepared(
     metrics: Sequence[str] | str | None,
     outputs: Sequence[str] | str | None,
     control: Controller | None,
-) -> tuple[Work, dict[str, Array]]:
+) -> tuple[VariantWork, dict[str, Array]]:
     """Read a request: the work, and the values (SI) of every variant by path."""
     if metrics is not None and not len(metrics) and not outputs:
         raise DescriptionError("nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']")
-    study = Study(rig, trial, settings, control)
+    study = VariantStudy(rig, trial, settings, control)
     columns = study.columns(variants)
     wanted = read_metrics(metrics, study.units) if metrics is not None else []
     check_durations(wanted, columns.get("trial.duration", [trial.duration]))
@@ -117,14 +117,14 @@ def prepared(
     design: dict[str, str | int] = (
         {"design": variants.kind, "seed": variants.seed} if isinstance(variants, Design) else {}
     )
-    return Work(study, wanted, channels, design), columns
+    return VariantWork(study, wanted, channels, design), columns
 
 
 @dataclass(frozen=True)
 class _Frame:
     """Parts of a result that do not depend on the runs; they are made while these are computed."""
 
-    study: Study
+    study: VariantStudy
     columns: Mapping[str, Array]
     first: int
 
@@ -229,7 +229,7 @@ def _numbered(first: int, count: int) -> xr.Dataset:
 
 
 @dataclass(frozen=True)
-class Study:
+class VariantStudy:
     """Everything that the variants share, and the parameters that may vary."""
 
     rig: Rig
@@ -239,7 +239,7 @@ class Study:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """State for another process: the descriptions, from which it compiles its own model."""
-        return Study, (self.rig, self.trial, self.settings, self.control)
+        return VariantStudy, (self.rig, self.trial, self.settings, self.control)
 
     @cached_property
     def compiled(self) -> Compiled:
@@ -397,12 +397,12 @@ class Study:
             return False
         return True
 
-    def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_Group, NDArray[np.int64]]]:
+    def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_TrialGroup, NDArray[np.int64]]]:
         """Variants that share a trial and a controller, and the numbers of these variants."""
         outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
         count = len(next(iter(columns.values())))
         if not outer:
-            yield _Group(self, self.trial, self.control), np.arange(count)
+            yield _TrialGroup(self, self.trial, self.control), np.arange(count)
             return
         table = np.column_stack([columns[path] for path in outer])
         kinds, of = np.unique(table, axis=0, return_inverse=True)
@@ -413,16 +413,16 @@ class Study:
                 trial = _changed(self.trial, changes, _TRIAL)
                 control = _changed(self.control, changes, _CONTROL)
             except JounceError as error:
-                yield _Group(self, self.trial, None, str(error)), rows
+                yield _TrialGroup(self, self.trial, None, str(error)), rows
                 continue
-            yield _Group(self, trial, control), rows
+            yield _TrialGroup(self, trial, control), rows
 
 
 @dataclass(frozen=True)
-class _Group:
+class _TrialGroup:
     """Variants of the rig over one trial; with a reason if none of them can run."""
 
-    study: Study
+    study: VariantStudy
     trial: Trial
     control: Controller | None
     reason: str = ""
@@ -515,7 +515,7 @@ class _Group:
         results.tally["side_by_side"] += count
         return careful
 
-    def _layout(self, channels: Sequence[int]) -> Layout | None:
+    def _layout(self, channels: Sequence[int]) -> SharedLayout | None:
         """Layout shared by vectorised variants, stored with the trial for later sweeps."""
         study = self.study
         kept = _layouts_of(self.trial)
@@ -570,7 +570,7 @@ class _Group:
         channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
         row_of = {outputs[number]: i for i, number in enumerate(channels)}
         extended = stepped.in_blocks(base.compiled, numbers)
-        blocks = stepped.Blocks(base.compiled, base, extended, self._signals, channels, tolerance)
+        blocks = stepped.LaneBlocks(base.compiled, base, extended, self._signals, channels, tolerance)
         rest, wide = blocks.rest(), extended.shape[2]
         sound &= ~rest.lost.ravel()[: len(rows)]
         results.make_room()
@@ -768,7 +768,7 @@ _MOST_LAYOUTS = 4  # for each trial: a sweep and its repeats
 
 
 @remembered
-def _layouts_of(trial: Trial) -> dict[object, Layout | None] | None:
+def _layouts_of(trial: Trial) -> dict[object, SharedLayout | None] | None:
     """Layouts used over a trial so far; None if its road is a file, which may change."""
     return {} if is_lasting(trial) else None
 

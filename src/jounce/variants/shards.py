@@ -36,7 +36,7 @@ from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
 from jounce.variants import zarr_shards
 from jounce.variants.findings import Tally
-from jounce.variants.many import Work
+from jounce.variants.many import VariantWork
 from jounce.variants.threads import processors
 from jounce.variants.workers import Task, here, on_cluster, on_processes, own_locks
 from jounce.variants.zarr_shards import checksum
@@ -156,7 +156,7 @@ def _dataset(content: bytes) -> xr.Dataset:
 
 
 def keep_in_shards(
-    work: Work,
+    work: VariantWork,
     columns: Mapping[str, Array],
     out: Path | str,
     *,
@@ -339,7 +339,7 @@ def read_kept(folder: Path) -> Kept:
 # what a sweep follows from --------------------------------------------------------------------------------------------
 
 
-def study_of(work: Work, columns: Mapping[str, Array]) -> dict[str, Any]:
+def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
     """All that results follow from, as plain data: files by their content, long lists by their digest."""
     study = work.study
     if study.control is not None and callable(getattr(study.control, "function", None)):
@@ -441,7 +441,7 @@ def _short(value: Any) -> str:
 
 
 def _planned(
-    folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
+    folder: Path, work: VariantWork, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
 ) -> Kept:
     """Plan a new sweep; refuse it without enough room on the disk."""
     about = {
@@ -475,7 +475,7 @@ class _Pace:
     is_alone: bool
 
 
-def _pace(work: Work, columns: Mapping[str, Array]) -> _Pace:
+def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
     """Try how long the first variants take."""
     count, tried, before = len(next(iter(columns.values()))), 1, 0
     work.run({path: column[:1] for path, column in columns.items()})  # compile first
@@ -492,7 +492,7 @@ def _pace(work: Work, columns: Mapping[str, Array]) -> _Pace:
         tried *= 4
 
 
-def _size(work: Work, columns: Mapping[str, Array], workers: int, pace: _Pace) -> int:
+def _size(work: VariantWork, columns: Mapping[str, Array], workers: int, pace: _Pace) -> int:
     """Variants in a shard: a power of 2, so that it takes some seconds and fits into memory."""
     count = len(next(iter(columns.values())))
     most = [_AIM / pace.seconds, _MOST_BYTES / _bytes_of_a_variant(work, columns), _LARGEST]
@@ -502,12 +502,12 @@ def _size(work: Work, columns: Mapping[str, Array], workers: int, pace: _Pace) -
     return int(2 ** math.floor(math.log2(max(min(most), 1.0))))
 
 
-def _bytes_of_a_variant(work: Work, columns: Mapping[str, Array]) -> int:
+def _bytes_of_a_variant(work: VariantWork, columns: Mapping[str, Array]) -> int:
     samples = len(work.study.settings.times(float(columns.get("trial.duration", [work.study.trial.duration])[0])))
     return 8 * (len(columns) + len(work.metrics) + len(work.channels) * samples + 1) + 32
 
 
-def _check_disk(kept: Kept, work: Work, spans: list[tuple[int, int]]) -> None:
+def _check_disk(kept: Kept, work: VariantWork, spans: list[tuple[int, int]]) -> None:
     """Refuse results that exceed the room on the disk, before the work."""
     there = next(one for one in (kept.folder, *kept.folder.parents) if one.exists())
     paths = [path for path in kept.about["study"]["variants"] if path not in ("design", "seed")]

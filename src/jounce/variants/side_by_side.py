@@ -67,7 +67,7 @@ class Sums:
 
 
 @dataclass(frozen=True)
-class Layout:
+class SharedLayout:
     """Work shared by all variants of a model over one course, without their parameters and arrays.
 
     Parameters of the numbers ``zero`` must be 0; there are so many ``samples``. ``rooms`` are those that threads have
@@ -81,7 +81,7 @@ class Layout:
 
 
 def sums_side_by_side(
-    layout: Layout, parameters: Array, threads: int | None = None, meanwhile: Callable[[], object] | None = None
+    layout: SharedLayout, parameters: Array, threads: int | None = None, meanwhile: Callable[[], object] | None = None
 ) -> Sums | None:
     """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few.
 
@@ -114,7 +114,7 @@ def sums_side_by_side(
 
 def lay_out(
     compiled: Compiled, base: Array, signals: Sequence[Segments], times: Array, channels: Sequence[int]
-) -> Layout | None:
+) -> SharedLayout | None:
     """Lay out what variants of a model share over one course; None where model or course are not for it.
 
     ``base`` are the parameter values (SI) of a variant that is typical; ``times`` (s) are the samples, evenly spaced;
@@ -219,7 +219,7 @@ def lay_out(
         np.array([place for row in rows for place in row], dtype=np.int64),
         np.cumsum([0, *map(len, rows)], dtype=np.int64),
     )
-    return Layout(work, tuple(facts.parameters.index(name) for name in zero), len(times))
+    return SharedLayout(work, tuple(facts.parameters.index(name) for name in zero), len(times))
 
 
 def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:

@@ -118,7 +118,7 @@ _codes: Recent[Native] = Recent()
 
 
 @dataclass(frozen=True)
-class Blocks:
+class LaneBlocks:
     """Variants of a model in blocks of lanes, over one course.
 
     ``base`` is a run of one variant, laid out, whose method and signals all of them share; ``numbers`` are the extended

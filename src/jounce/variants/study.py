@@ -23,7 +23,7 @@ from jounce.roads import Trial
 from jounce.roads.loading import load_road, read_roads
 from jounce.simulation.settings import Method, RunSettings
 from jounce.variants.designs import DESIGNS, MOST
-from jounce.variants.many import Variants, Work, prepared
+from jounce.variants.many import Variants, VariantWork, prepared
 from jounce.variants.shards import Say, keep_in_shards, read_kept
 from jounce.variants.summary import Summary, summarise
 
@@ -91,7 +91,7 @@ class ReadSweep:
     """A sweep whose file was read: the work, and the values (SI) of every variant by path."""
 
     study: SweepStudy
-    work: Work
+    work: VariantWork
     columns: dict[str, Array]
 
     @property

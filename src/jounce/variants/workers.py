@@ -27,7 +27,7 @@ from jounce.core.processes import NoWorkersError, starting_workers
 from jounce.core.trust import trust_said, trusting
 from jounce.core.types import Array
 from jounce.recordings.writers import netcdf_of
-from jounce.variants.many import Work
+from jounce.variants.many import VariantWork
 
 Results = Generator[tuple[int, bytes], None, None]
 _LOG = logging.getLogger("jounce")
@@ -58,7 +58,7 @@ class Task:
     version: str
 
 
-def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
+def shard_of(work: VariantWork, task: Task, threads: int | None) -> bytes:
     """Run the variants of a task; return the content of their shard."""
     shard = work.run(task.columns, first=task.first, threads=threads)
     with own_locks():
@@ -77,13 +77,13 @@ def own_locks() -> Iterator[None]:
         yield
 
 
-def here(work: Work, tasks: Sequence[Task], threads: int | None) -> Results:
+def here(work: VariantWork, tasks: Sequence[Task], threads: int | None) -> Results:
     """Return number and content of every shard, worked on in this process."""
     for task in tasks:
         yield task.number, shard_of(work, task, threads)
 
 
-def on_processes(workers: int, work: Work, tasks: Sequence[Task]) -> Results:
+def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Results:
     """Return number and content of shards as processes finish them; one that is ended from outside is replaced."""
     packed, left, ends = _packed(work), {task.number: task for task in tasks}, 0
     while left:
@@ -162,14 +162,14 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
         return task.number, shard_of(work, task, 1)
 
 
-def _packed(work: Work) -> bytes:
+def _packed(work: VariantWork) -> bytes:
     """Input of all tasks, and the user's choice whether FMUs may run in the worker's own process."""
     return pickle.dumps((trust_said(), work))
 
 
 @lru_cache(maxsize=2)
-def _unpacked(packed: bytes) -> tuple[bool | None, Work]:
-    result: tuple[bool | None, Work] = pickle.loads(packed)
+def _unpacked(packed: bytes) -> tuple[bool | None, VariantWork]:
+    result: tuple[bool | None, VariantWork] = pickle.loads(packed)
     return result
 
 
@@ -224,7 +224,7 @@ def _not_there(error: ModuleNotFoundError) -> JounceError:
     return JounceError("a package is missing on a worker", found=error.name, hint="Install jounce on all machines.")
 
 
-def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
+def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results:
     """Return number and content of shards as the workers of a Dask cluster finish them; lost workers are replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)

@@ -97,7 +97,7 @@ def test_a_reason_of_a_later_shard_is_whole(tmp_path: Path, small, folder) -> No
 def test_a_variant_that_ends_in_an_unforeseen_way_is_a_row_with_its_reason(monkeypatch) -> None:
     from jounce.variants import many
 
-    monkeypatch.setattr(many._Group, "_solve", lambda *_: 1 / 0)
+    monkeypatch.setattr(many._TrialGroup, "_solve", lambda *_: 1 / 0)
     found = jn.simulate_many(
         RIG, TRIAL.model_copy(update={"duration": 3.0}), {"sprung.mass": [400.0, 500.0]}, metrics="Wk sprung.az"
     )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 from jounce.core.units import base_units
-from jounce.exchange.fmu.variables import Variable, Variables
+from jounce.exchange.fmu.variables import ModelVariable, Variables
 
 FILE = "model"
 """Name of the binary in the archive."""
@@ -31,7 +31,7 @@ def _text(value: float | bool) -> str:
     return str(value).lower() if isinstance(value, bool) else repr(float(value))
 
 
-def _attributes(variable: Variable) -> dict[str, str]:
+def _attributes(variable: ModelVariable) -> dict[str, str]:
     """Attributes common to both versions."""
     attributes = {"name": variable.name, "valueReference": str(variable.reference)}
     if variable.text:
@@ -42,7 +42,7 @@ def _attributes(variable: Variable) -> dict[str, str]:
     return attributes
 
 
-def _number(variable: Variable) -> dict[str, str]:
+def _number(variable: ModelVariable) -> dict[str, str]:
     """Unit, range and start."""
     number = {} if variable.is_boolean or not variable.unit else {"unit": variable.unit}
     for name, value in (("min", variable.least), ("max", variable.most), ("start", variable.start)):

@@ -19,7 +19,7 @@ LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_accelerat
 
 
 @dataclass(frozen=True)
-class Variable:
+class ModelVariable:
     """One variable of an FMU.
 
     Attributes
@@ -61,12 +61,12 @@ class Variable:
 class Variables:
     """All variables, and those that the structure of the model lists."""
 
-    everything: tuple[Variable, ...]
-    derivatives: tuple[Variable, ...]
-    outputs: tuple[Variable, ...]
-    indicators: tuple[Variable, ...]
-    unknown_at_start: tuple[Variable, ...]
-    terminals: dict[str, tuple[Variable, ...]]
+    everything: tuple[ModelVariable, ...]
+    derivatives: tuple[ModelVariable, ...]
+    outputs: tuple[ModelVariable, ...]
+    indicators: tuple[ModelVariable, ...]
+    unknown_at_start: tuple[ModelVariable, ...]
+    terminals: dict[str, tuple[ModelVariable, ...]]
 
     def reference(self, name: str) -> int:
         """Value reference of a variable."""
@@ -120,7 +120,7 @@ def list_variables(
     own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
     state_units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
     states = [
-        Variable(
+        ModelVariable(
             first["x"] + i, structured(name), "output" if name in same else "local", "continuous", "approx",
             state_units[i], outputs[name].long_name if name in same else "", float(start["x"][i]),
             depends=(first["x"] + i,),
@@ -128,7 +128,7 @@ def list_variables(
         for i, name in enumerate(own)
     ]  # fmt: skip
     rates = [
-        Variable(
+        ModelVariable(
             first["dx"] + i, f"der({state.name})", "local", "continuous", "calculated", _per_second(state.unit),
             derivative=state.reference, depends=depends["dx"][i],
         )
@@ -142,27 +142,29 @@ def list_variables(
         if track in commands:
             text = "always zero: a command holds" if place else "command of the controller inside"
             causality = "local" if place else "output"
-            tracks.append(Variable(first["u"] + i, structured(name), causality, "discrete", "calculated", unit, text))
+            tracks.append(
+                ModelVariable(first["u"] + i, structured(name), causality, "discrete", "calculated", unit, text)
+            )
             continue
         tracks.append(
-            Variable(
+            ModelVariable(
                 first["u"] + i, structured(name), "input", "continuous", "", unit, meaning, float(start["u"][i]),
                 derivative=first["u"] + i - 1 if place else None,
             )
         )  # fmt: skip
     numbers = [
-        Variable(
+        ModelVariable(
             first["p"] + i, structured(names[path]), "parameter", "tunable", "exact", quantities[path].si,
             start=float(start["p"][i]), least=_at_least(quantities[path]), most=quantities[path].at_most,
         )
         for i, path in enumerate(model.parameters)
     ] + [
-        Variable(first["g"] + i, structured(f"control.{name}"), "parameter", "tunable", "exact", start=value)
+        ModelVariable(first["g"] + i, structured(f"control.{name}"), "parameter", "tunable", "exact", start=value)
         for i, (name, value) in enumerate(gains.items())
     ]  # fmt: skip
     hidden = {name for i, (name, _, _) in enumerate(ins) if not (sampled and i % order)} | same
     outs = [
-        Variable(
+        ModelVariable(
             first["y"] + i, structured(name), "output", "continuous", "calculated", output.unit, output.long_name,
             depends=depends["y"][i],
         )
@@ -170,27 +172,27 @@ def list_variables(
         if name not in hidden
     ]  # fmt: skip
     indicators = [
-        Variable(
+        ModelVariable(
             first["z"] + i, structured(f"switch.{name}"), "local", "continuous", "calculated", "1",
             "event indicator, above zero where the mode is on", depends=depends["z"][i],
         )
         for i, name in enumerate(model.switches)
     ]  # fmt: skip
     settings = [
-        Variable(
+        ModelVariable(
             at, "settings.tolerance", "parameter", "tunable", "exact", "1",
             "co-simulation: relative error of displacements in one step", 1e-5, least=1e-14,
         ),
         *(
-            Variable(at + 1 + i, structured(f"mode.{name}"), "local", "discrete", "calculated")
+            ModelVariable(at + 1 + i, structured(f"mode.{name}"), "local", "discrete", "calculated")
             for i, name in enumerate(model.switches)
         ),
-        Variable(
+        ModelVariable(
             at + 1 + len(model.switches), "settings.start_at_rest", "parameter", "fixed", "exact",
             text="start in static equilibrium under the inputs at the start", start=at_rest,
         ),
     ]  # fmt: skip
-    time = Variable(0, "time", "independent", "continuous", unit="s", text="time")
+    time = ModelVariable(0, "time", "independent", "continuous", unit="s", text="time")
     everything = (time, *states, *rates, *tracks, *numbers, *outs, *indicators, *settings)
     _refuse_collisions(everything, [*own, *(name for name, _, _ in ins), *outputs])
     shown = tuple(variable for variable in everything if variable.causality == "output")
@@ -254,7 +256,7 @@ def _dependencies(model: Model, first: Mapping[str, int]) -> dict[str, list[tupl
     return dependencies
 
 
-def _refuse_collisions(everything: Sequence[Variable], names: Sequence[str]) -> None:
+def _refuse_collisions(everything: Sequence[ModelVariable], names: Sequence[str]) -> None:
     seen: set[str] = set()
     for variable in everything:
         if variable.name in seen:
