@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 import jounce as jn
 from jounce.control.fmu import FmuControl
 from jounce.control.fmu.platforms import this_platform
+from jounce.core.findings import finding, findings_of
 from jounce.variants import shards
 from jounce.variants.findings import Tally
 from jounce.variants.summary import summarise
@@ -93,13 +95,21 @@ def test_a_sweep_tells_what_its_fmus_found_once(tmp_path, monkeypatch) -> None:
 
 def test_findings_are_counted_by_what_they_say() -> None:
     tally = Tally()
-    tally.add(["note: a1.fmu: v[1]: held for 0.5 ms", "note: a1.fmu: v[2]: held for 0.5 ms"])
-    tally.add(["note: a1.fmu: v[1]: held for 1.5e-05 ms", "warning: a1.fmu: held"])
-    assert list(zip(*tally.attributes().values(), strict=True)) == [
-        ("note: a1.fmu: v[1]: held for 0.5 ms", 2),
-        ("note: a1.fmu: v[2]: held for 0.5 ms", 1),
-        ("warning: a1.fmu: held", 1),
+    texts = "note: a1.fmu: v[1]: held for {} ms", "note: a1.fmu: v[2]: held for 0.5 ms", "warning: a1.fmu: held"
+    tally.add(findings_of({"findings": [texts[0].format("0.5"), texts[1]]}))
+    tally.add(findings_of({"findings": [texts[0].format("1.5e-05"), texts[2]]}))
+    tally.add([finding("control.no_unit", "a1.fmu", unit="m")])
+    found = tally.attributes()
+    assert list(zip(found["findings"], found["finding_variants"], strict=True)) == [
+        (texts[0].format("0.5"), 2),
+        (texts[1], 1),
+        (texts[2], 1),
+        ("note: a1.fmu: it has no unit: taken for m.", 1),
     ]
+    again = Tally()
+    again.merge({name: json.dumps(value) if isinstance(value, list) else value for name, value in found.items()})
+    assert again.attributes() == found  # as a file keeps them
+    assert again.findings(3)[-1].said("de") == "1 von 3 Varianten: hat keine Einheit: als m genommen."
     assert Tally().attributes() == {}
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, SupportsFloat, get_args
@@ -68,7 +69,7 @@ class Finding(Shown):
 
 
 def finding(
-    code: str, place: str, value: SupportsFloat | None = None, /, *, severity: Severity | None = None, **numbers: Any
+    code: str, place: str, value: SupportsFloat | None = None, /, *, severity: Severity | Any = None, **numbers: Any
 ) -> Finding:
     """Make a finding of a row of the catalogue of a package (see `jounce.core.catalogue`).
 
@@ -115,13 +116,28 @@ def with_german(plain: Any) -> Any:
     return plain
 
 
-def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
-    """Findings that a recording carries as texts in its attribute ``findings``.
+TEXTS, DATA = "findings", "finding_data"
+"""Attributes of recordings: findings as texts, and as JSON with their codes."""
 
-    >>> [str(one) for one in findings_of({"findings": ["note: a.fmu: v: it has no unit: taken for m/s."]})]
-    ['note: a.fmu: v: it has no unit: taken for m/s.']
+
+def finding_attributes(findings: Iterable[Finding]) -> dict[str, Any]:
+    """Give the attributes with which a recording carries findings: texts for people, and JSON for `findings_of`."""
+    from jounce.core.serialise import to_json
+
+    items = list(findings)
+    return {TEXTS: [str(item) for item in items], DATA: to_json(items, indent=None)}
+
+
+def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
+    """Findings that a recording carries; those of files of older versions are texts, without codes.
+
+    >>> found = findings_of({"findings": ["note: a.fmu: v: it has no unit: taken for m/s."]})
+    >>> found == findings_of(finding_attributes(found)), str(found[0])
+    (True, 'note: a.fmu: v: it has no unit: taken for m/s.')
     """
-    told = attributes.get("findings", [])
+    if DATA in attributes:
+        return [finding_of(plain) for plain in json.loads(attributes[DATA])]
+    told = attributes.get(TEXTS, [])
     found = []
     for text in [told] if isinstance(told, str) else told:
         severity, _, rest = str(text).partition(": ")

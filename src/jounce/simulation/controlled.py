@@ -19,6 +19,7 @@ from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
 from jounce.core.errors import JounceError, SimulationError
+from jounce.core.findings import Finding
 from jounce.core.remembered import Recent
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array, Complex
@@ -63,9 +64,9 @@ class ControlLoop:
     regulators: list[Regulator] = field(default_factory=list)
 
     @property
-    def findings(self) -> list[str]:
+    def findings(self) -> list[Finding]:
         """Findings about the controller of the last run."""
-        return [str(finding) for regulator in self.regulators for finding in regulator.findings]
+        return [item for regulator in self.regulators for item in regulator.findings]
 
     @property
     def corners(self) -> tuple[str, ...]:

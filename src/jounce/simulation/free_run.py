@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError, SimulationError, unknown
-from jounce.core.findings import Finding, finding
+from jounce.core.findings import Finding, finding, finding_attributes
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -191,7 +191,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
     run.attrs["degrees_of_freedom"] = len(model.speeds) if mobility is None else mobility.degrees_of_freedom
-    run.attrs["findings"] = [str(finding) for group in notes for finding in group]
+    run.attrs |= finding_attributes(item for group in notes for item in group)
     return run
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import SimulationError, nearest
+from jounce.core.findings import finding_attributes, findings_of
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import as_number
@@ -84,9 +85,9 @@ def simulate(
     """
     settings, rig = RunSettings(output_step, tolerance, method), as_rig(rig)
     run = solved(rig, as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
-    warnings = [str(finding) for finding in rig_findings(rig) if finding.severity != "note"]
+    warnings = [item for item in rig_findings(rig) if item.severity != "note"]
     dataset = run.recording()
-    return dataset.assign_attrs(findings=[*warnings, *dataset.attrs.get("findings", [])]) if warnings else dataset
+    return dataset.assign_attrs(finding_attributes([*warnings, *findings_of(dataset.attrs)])) if warnings else dataset
 
 
 @dataclass(frozen=True)
@@ -151,7 +152,7 @@ def solved(
     reach = samples_reached(solution, compiled.facts, check=check)
     result = _solved(compiled, solution, reach)
     if loop and loop.findings:
-        result = replace(result, attributes=result.attributes | {"findings": loop.findings})
+        result = replace(result, attributes=result.attributes | finding_attributes(loop.findings))
     return result
 
 

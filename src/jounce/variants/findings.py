@@ -1,4 +1,4 @@
-"""Findings of many runs, each once, with the number of variants that have it."""
+"""What many runs found, each thing once, with the number of variants that it was found of."""
 
 from __future__ import annotations
 
@@ -7,40 +7,50 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from jounce.core.findings import Finding, findings_of
+from jounce.core.findings import DATA, Finding, finding, finding_attributes, findings_of
 
-TEXTS, COUNTS = "findings", "finding_variants"
-"""Attributes of the results of a sweep: texts of one variant each, and how many variants had it."""
+COUNTS = "finding_variants"
+"""Attribute of the results of a sweep: how many variants had each of its findings."""
 _NUMBER = re.compile(r"(?<![\w.\[])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w\]])")
 
 
 class Tally:
-    """Counts findings that differ only in their numbers as one, under the first of their texts."""
+    """Counts findings that differ in their numbers only as one, under the first of them."""
 
     def __init__(self) -> None:
-        self._found: dict[str, tuple[str, int]] = {}
+        self._found: dict[tuple[str, ...], tuple[Finding, int]] = {}
 
-    def add(self, texts: Iterable[str]) -> None:
+    def add(self, findings: Iterable[Finding]) -> None:
         """Add what was found of one variant."""
-        for kind, text in {_kind(text): text for text in texts}.items():
-            self._count(kind, text, 1)
+        for item in {_kind(item): item for item in findings}.values():
+            self._count(item, 1)
 
     def merge(self, attributes: Mapping[str, Any]) -> None:
         """Add what the attributes of other results say."""
-        texts, counts = (_listed(attributes.get(name, [])) for name in (TEXTS, COUNTS))
-        for text, count in zip(texts, counts, strict=True):
-            self._count(_kind(text), text, count)
+        plain = {name: _listed(attributes[name]) for name in ("findings", COUNTS) if name in attributes}
+        items = findings_of(plain | {name: attributes[name] for name in (DATA,) if name in attributes})
+        for item, count in zip(items, plain.get(COUNTS, []), strict=True):
+            self._count(item, count)
 
-    def _count(self, kind: str, text: str, count: int) -> None:
-        first, before = self._found.get(kind, (text, 0))
-        self._found[kind] = first, before + count
+    def _count(self, item: Finding, count: int) -> None:
+        first, before = self._found.get(_kind(item), (item, 0))
+        self._found[_kind(item)] = first, before + count
 
     def attributes(self) -> dict[str, Any]:
-        """Return the attributes; none without findings."""
+        """Give the attributes; none where nothing was found."""
         if not self._found:
             return {}
-        texts, counts = zip(*self._found.values(), strict=True)
-        return {TEXTS: list(texts), COUNTS: list(counts)}
+        return {
+            **finding_attributes(item for item, _ in self._found.values()),
+            COUNTS: [count for _, count in self._found.values()],
+        }
+
+    def findings(self, ran: int) -> list[Finding]:
+        """Give findings that say of how many of the variants that ``ran`` each was found."""
+        return [
+            finding("variants.of_many", item.place, count, severity=item.severity, count=count, ran=ran, found=item)
+            for item, count in self._found.values()
+        ]
 
 
 def _listed(value: Any) -> list[Any]:
@@ -48,22 +58,19 @@ def _listed(value: Any) -> list[Any]:
     return list(json.loads(value) if isinstance(value, str) else value)
 
 
-def _kind(text: str) -> str:
-    """A text without its numbers; those of names stay.
+def _kind(item: Finding) -> tuple[str, ...]:
+    """What findings have in common that differ in their numbers only; those of names stay.
 
-    >>> _kind("warning: a2.fmu: F[1]: of 0.52 J of its work 1.2e-05 J (3 %)")
-    'warning: a2.fmu: F[1]: of # J of its work # J (# %)'
+    >>> _kind(Finding("a2.fmu: F[1]", "warning", "of 0.52 J of its work 1.2e-05 J (3 %)"))
+    ('a2.fmu: F[1]', 'warning', 'of # J of its work # J (# %)')
     """
-    return _NUMBER.sub("#", text)
+    if not item.code:  # of a controller in Python, or of an older version
+        return item.place, item.severity, _NUMBER.sub("#", item.message)
+    return item.place, item.severity, item.code, *(str(word) for word in item.numbers.values() if isinstance(word, str))
 
 
 def findings_of_variants(attributes: Mapping[str, Any], ran: int) -> list[Finding]:
     """Findings of the attributes of a sweep's results, each with the number of variants that had it."""
     tally = Tally()
     tally.merge(attributes)
-    told = tally.attributes()
-    return [
-        Finding(one.place, one.severity, f"{count} of {ran} variants: {one.message}", float(count))
-        for text, count in zip(told.get(TEXTS, []), told.get(COUNTS, []), strict=True)
-        for one in findings_of({TEXTS: text})
-    ]
+    return tally.findings(ran)

@@ -13,6 +13,7 @@ import numpy as np
 
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, reason, unknown
+from jounce.core.findings import Finding, findings_of
 from jounce.core.remembered import remembered
 from jounce.core.samples import as_values
 from jounce.core.types import Array
@@ -662,7 +663,7 @@ class _TrialGroup:
 
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
-            findings = run.attributes.get("findings", ())
+            findings = findings_of(run.attributes)
             return _RunSamples(compiled.output_names, outputs, outputs[:, 0], findings)
         signals = excitation(compiled.facts, rig, self.trial)
         return self._solve(compiled.parameter_values(rig.parameters()), signals, few)
@@ -731,7 +732,7 @@ class _RunSamples(NamedTuple):
     names: Sequence[str]
     outputs: Array
     rest: Array
-    findings: Sequence[str] = ()
+    findings: Sequence[Finding] = ()
 
 
 class _LaidOut(NamedTuple):
