@@ -31,6 +31,7 @@ MODULES = (
     "jounce.bench.springs",
     "jounce.campaign.bench_fits",
     "jounce.design.adjustment",
+    "jounce.design.studied",
     "jounce.design.best_design",
     "jounce.design.model_comparison",
     "jounce.design.pareto",

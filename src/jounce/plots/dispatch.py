@@ -119,6 +119,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.design.spread import KinematicSpread
+    from jounce.design.studied import StudiedDesign
     from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
@@ -184,6 +185,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(ProfileRoughness, lambda result: signals.roughness(result.roughness, result.distance, result.height))
     draw.register(Corner, mechanism)
     draw.register(KinematicDesign, kinematic_design.target_curves)
+    draw.register(StudiedDesign, lambda result, **options: draw(result.design, **options))
     draw.register(KinematicFront, kinematic_design.front_lines)
     draw.register(KinematicSpread, kinematic_design.spread_bands)
     draw.register(HardpointFit, kinematic_design.hardpoint_fit)

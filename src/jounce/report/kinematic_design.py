@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.spread import KinematicSpread
+    from jounce.design.studied import StudiedDesign
 
 _POINTS = 41
 _FINE = 1e-6  # of a tolerance: what rounding leaves of nothing
@@ -77,13 +78,14 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
     }
     drawn = {
         name: Picture(picture, name, words[name.partition("-")[0]], words[name.partition("-")[0]])
-        for name, picture in (pictures or {name: draw() for name, draw in design_pictures(found).items()}).items()
+        for name, picture in (pictures or design_pictures(found)).items()
     }
+    geometry = [drawn[name] for name in drawn if name.startswith("geometry")]
     sections = [
         Section("Answer", tuple(answer)),
-        Section("Targets", (drawn.pop("targets"),)),
-        Section("Curves", _curves(found, title)),
-        Section("Geometry", tuple(drawn[name] for name in drawn if name.startswith("geometry"))),
+        Section("Targets", (drawn["targets"],)),
+        Section("Curves", lambda: _curves(found, title)),
+        Section("Geometry", tuple(geometry)),
         Section("Moved", (_moved(found), _identified(found))),
         Section("Sensitivity", (drawn["sensitivity"],)),
     ]
@@ -98,6 +100,11 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
             blocks += [Subsection(name.capitalize(), tuple(own))] if name else own
         sections.append(Section("Tolerances", tuple(blocks)))
     return Page(title, tuple(sections), "Hardpoints from kinematic targets")
+
+
+def studied_design_page(found: StudiedDesign, *, title: str) -> Page:
+    """Put the design of a study file on a page, as :func:`kinematic_design_page` does."""
+    return kinematic_design_page(found.design, title=title)
 
 
 def _fight(found: KinematicDesign, fight: Any) -> str:

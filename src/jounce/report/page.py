@@ -139,7 +139,7 @@ class Picture:
     caption: str
     alternative: str
 
-    @property
+    @cached_property
     def figure(self) -> Figure:
         """The figure; drawn now where a function draws it."""
         return self.source() if callable(self.source) else self.source

@@ -145,19 +145,10 @@ class DesignTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         study, out = _file(project, self.study), _folder(project, self.out)
-        words = ["design", "kinematics", study, f"--out={out}"]
-        words += [] if self.starts is None else [f"--starts={self.starts}"]
-        starts = "asked.starts" if self.starts is None else str(self.starts)
+        request = _request("design kinematics", {"study": study, "starts": self.starts})
+        words = [*request.words(), f"--out={out}", *(["--force"] if self.force else [])]
         forced = ", force=True" if self.force else ""
-        python = (
-            "from pathlib import Path\n\nimport jounce as jn\n"
-            "from jounce.design.kinematics import design, run_study\n\n"
-            f"found, files = run_study({study!r}, lambda asked, task: design(task, {starts}, asked.seed))\n"
-            f"print(found)\nout = Path({out!r})\nout.mkdir(parents=True, exist_ok=True)\n"
-            "for name, rig in found.rigs.items():\n"
-            f"    jn.save(rig, out / f\"{{name or 'rig'}}.toml\", like=files[name]{forced})\n"
-        )
-        words += ["--force"] if self.force else []
+        python = f"{request.python()}jn.write_files({out!r}, result.files(){forced})\n"
         return Doing(f"Kinematic design {Path(study).stem}", words, python=python, out=out, page=f"{out}/report.html")
 
 
