@@ -113,7 +113,7 @@ def test_units_are_those_of_the_test_methods(sound: VehicleGrade, record: xr.Dat
     usual = protocol_html(sound, records={"front": record})
     with shown_in("imperial"):
         page = protocol_html(sound, records={"front": record})
-    said = " Units are those of the test methods (EUSAMA, EGEA), whatever others are chosen."
+    said = " Units are those of the test methods (EUSAMA, EGEA), whatever display units are chosen."
     assert said not in usual
     assert page.replace(said, "") == usual
 
@@ -196,7 +196,7 @@ def test_both_languages_have_the_same_words() -> None:
 def test_a_sound_car_says_so(sound: VehicleGrade) -> None:
     content = protocol_content(sound, FACTS)
     assert content["verdict"]["tone"] == "green"
-    assert [one["text"] for one in content["reasons"]] == ["All values that decide are within their limits."]
+    assert [one["text"] for one in content["reasons"]] == ["All deciding values are within their limits."]
     assert content["more"] == ""
 
 
@@ -206,7 +206,7 @@ def test_reasons_that_do_not_fit_are_counted(worn: VehicleGrade) -> None:
     total = len(every["reasons"]) + len(every["remarks"])
     assert total > 2
     assert few["reasons"] == every["reasons"][:2]
-    assert few["more"] == f"… and {total - 2} more, see the data file beside this protocol."
+    assert few["more"] == f"… and {total - 2} more, see the data file beside this report."
 
 
 def test_a_wheel_that_is_not_graded_shows_no_bands() -> None:
