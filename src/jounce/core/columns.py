@@ -183,7 +183,7 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
 
     The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column, or
     ``name (unit)``, ``name / unit``, ``name in unit`` where that is a unit; the units may also stand in a line of their
-    own below the names. Text that a logger writes before it (make, date, settings) is passed over, which is remarked.
+    own below the names. Text that a logger writes before it (make, date, settings) is skipped, with a remark.
     Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if the file has no
     decimal points; it is remarked.
 

@@ -385,7 +385,7 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
     file.write_text("\n".join(["schema = 'jounce.control/1'", *words]))
     with trusting(False):
         alone = jn.simulate(RIG, TRIAL, control=file)
-    assert any("Say --trust, too" in finding for finding in alone.attrs["findings"])
+    assert any("Add --trust as well" in finding for finding in alone.attrs["findings"])
     asked = []
 
     class Seen(caller.Instances):
@@ -407,7 +407,7 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
         str(file),
     ]
     assert main(command) == 0
-    assert "inputs that nothing is connected to keep their start: spare = 2.5" in capsys.readouterr().out
+    assert "unconnected inputs keep their start values: spare = 2.5" in capsys.readouterr().out
     assert not asked
     assert main([*command, "--trust"]) == 0, capsys.readouterr().err
     assert asked

@@ -284,7 +284,7 @@ def test_text_that_a_logger_writes_before_the_header_is_passed_over_and_said(tmp
     assert table[0].values.tolist() == [0.0, 1.0]
     assert table[1].values.tolist() == [1.0, 2.0]
     line = next(i for i, text in enumerate(content.splitlines(), 1) if text.lower().startswith(("time", "zeit")))
-    assert told(table)[0] == f"the header is line {line}; the text before it was passed over"
+    assert told(table)[0] == f"line {line} was taken as the header; the text before it was skipped"
     assert table.lines[0] > line
 
 
@@ -303,5 +303,5 @@ def test_rows_are_never_passed_over_as_if_they_were_such_text(tmp_path: Path, co
         table = read_columns_csv(written(tmp_path, content))
     except RecordingError:
         return
-    assert not any("passed over" in remark for remark in told(table))
+    assert not any("skipped" in remark for remark in told(table))
     assert table.lines[0] == 2

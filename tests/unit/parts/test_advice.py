@@ -182,8 +182,8 @@ def scaled(factor: float) -> Corner:
 
 
 SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
-    ({"wheel.radius": 3.0}, "wheel.radius", "no wheel of a car", 3.0),
-    ({"wheel.radius": 0.01}, "wheel.radius", "no wheel of a car", 0.01),
+    ({"wheel.radius": 3.0}, "wheel.radius", "not plausible for a wheel", 3.0),
+    ({"wheel.radius": 0.01}, "wheel.radius", "not plausible for a wheel", 0.01),
     ({"wheel.camber": -1.0}, "wheel.camber", "were degrees given as rad", -1.0),
     ({"wheel.toe": 0.3}, "wheel.toe", "17.2 deg is a lot", 0.3),
     ({"tyre.undeformed_radius": 0.42}, "hardpoints.wheel_centre", "pressed in by 120 mm", 0.12),
@@ -282,7 +282,7 @@ def test_joints_that_do_not_let_the_wheel_rise():
     parallel = {f"hardpoints.link_{i}_outer": [0.0, 0.7, 0.1 * i] for i in range(1, 6)}
     found = rig_findings(rig.with_changes({**same_line, **parallel}))
     assert [finding.message for finding in found if finding.place == "hardpoints"] == [
-        "the joints do not let the wheel rise at design position, or not in one way only."
+        "the joints do not allow the wheel to rise at design position, or allow more than one motion."
     ]
 
 

@@ -62,7 +62,7 @@ class FolderWatch:
 
     A file counts as finished when its size and time, and those of the TOML file beside it, stay the same for
     ``settle`` seconds. What was looked at is remembered in the store: a file that cannot be read is reported once, and
-    again only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are passed over.
+    again only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are skipped.
     By default a record's tester is the shipped one that its header names. ``clock`` gives the time in s.
 
     Examples
