@@ -25,12 +25,6 @@ Changes = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="PATH=VALUE", help='Change a parameter of the rig: strut.spring.rate="25 N/mm".'),
 ]
-Trust = Annotated[
-    bool,
-    typer.Option(
-        "--trust", help="Run FMUs of controllers in the process of the run: faster, and a crash ends all of it."
-    ),
-]
 Columns = Annotated[
     list[str] | None,
     typer.Option(
@@ -73,12 +67,6 @@ def shipped(*packages: str) -> Callable[[str], list[str]]:
 RigName = Annotated[
     str,
     typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.", autocompletion=shipped("parts")),
-]
-VehicleName = Annotated[
-    str,
-    typer.Argument(
-        metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.", autocompletion=shipped("parts")
-    ),
 ]
 
 
@@ -126,18 +114,6 @@ def reading(
     }
 
 
-StrokeSign = Annotated[
-    str | None,
-    typer.Option(
-        "--stroke-positive", metavar="compression|extension", help="Which way the stroke counts; compression if unsaid."
-    ),
-]
-ForceSign = Annotated[
-    str | None,
-    typer.Option(
-        "--force-positive", metavar="compression|tension", help="Which way the force counts; compression if unsaid."
-    ),
-]
 ReportFile = Annotated[
     Path | None,
     typer.Option("--report", help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf."),
