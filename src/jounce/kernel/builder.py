@@ -24,7 +24,7 @@ class _Line(ir.Value):  # type: ignore[misc]
         self.type, self.reference, self.text = kind, reference, text
 
     def get_reference(self) -> str:
-        """How other instructions call the result."""
+        """Name of the result in other instructions."""
         return self.reference
 
     def __str__(self) -> str:
@@ -32,7 +32,7 @@ class _Line(ir.Value):  # type: ignore[misc]
 
 
 class Builder(ir.IRBuilder):  # type: ignore[misc]
-    """Writes what lowering needs most; all else stays as in llvmlite."""
+    """Emits the instructions that lowering uses most; the others stay llvmlite's."""
 
     def _write(self, kind: ir.Type, text: str) -> ir.Value:
         reference = f"%v{next(_NUMBERS)}"
@@ -67,7 +67,7 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         return self._write(arg.type, f"{' '.join(('fneg', *flags))} {arg.type} {arg.get_reference()}")
 
     def gep(self, ptr: ir.Value, indices: Sequence[ir.Value], *more: Any, **options: Any) -> ir.Value:
-        """Place so many numbers behind another."""
+        """Address offset by a number of elements."""
         if len(indices) != 1 or more or options:
             return super().gep(ptr, indices, *more, **options)
         (index,) = indices
@@ -75,18 +75,18 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         return self._write(ptr.type, f"getelementptr {ptr.type.pointee}, {text}")
 
     def bitcast(self, value: ir.Value, typ: ir.Type, name: str = "") -> ir.Value:  # noqa: ARG002
-        """The same as another type."""
+        """Value reinterpreted as another type."""
         if value.type == typ:
             return value
         return self._write(typ, f"bitcast {value.type} {value.get_reference()} to {typ}")
 
     def load(self, ptr: ir.Value, name: str = "", align: int | None = None, typ: ir.Type | None = None) -> ir.Value:  # noqa: ARG002
-        """What is at a place."""
+        """Load from an address."""
         kind = ptr.type.pointee if typ is None else typ
         return self._write(kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_aligned(align)}")
 
     def store(self, value: ir.Value, ptr: ir.Value, align: int | None = None) -> ir.Value:
-        """Put to a place."""
+        """Store to an address."""
         if value.type is not ptr.type.pointee and value.type != ptr.type.pointee:
             raise TypeError(f"cannot store {value.type} at {ptr.type}")
         text = f"store {value.type} {value.get_reference()}, {ptr.type} {ptr.get_reference()}{_aligned(align)}"
@@ -95,12 +95,12 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         return line
 
     def extract_element(self, vector: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
-        """A lane."""
+        """Extract a lane."""
         text = f"{vector.type} {vector.get_reference()}, {idx.type} {idx.get_reference()}"
         return self._write(vector.type.element, f"extractelement {text}")
 
     def insert_element(self, vector: ir.Value, value: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
-        """The vector with another lane."""
+        """Replace a lane."""
         parts = ", ".join(f"{part.type} {part.get_reference()}" for part in (vector, value, idx))
         return self._write(vector.type, f"insertelement {parts}")
 

@@ -1,6 +1,6 @@
-"""Machine code on disk: entries with a checksum, in a folder that belongs to the user.
+"""Machine code on disk: entries with a checksum, in a folder that the user owns.
 
-An entry that is damaged or stale, or that others could have written, is rebuilt, never trusted.
+An entry that is damaged, stale or writable by others is not used but made again.
 """
 
 from __future__ import annotations
@@ -30,28 +30,28 @@ def key_here(identity: str) -> str:
 
 
 def joined(head: dict[str, Any], code: bytes) -> bytes:
-    """Give code with what is to be known of it before."""
+    """Return one entry: the head (as JSON, after its length) followed by the code."""
     text = json.dumps(head).encode()
     return len(text).to_bytes(_LENGTH, "little") + text + code
 
 
 def parted(content: bytes) -> tuple[dict[str, Any], bytes]:
-    """Give back what ``joined`` has put together."""
+    """Return the head and the code of an entry made by ``joined``."""
     start = _LENGTH + int.from_bytes(content[:_LENGTH], "little")
     return json.loads(content[_LENGTH:start]), content[start:]
 
 
 def cache_folder() -> Path:
-    """Folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``jounce`` where the system keeps what can be made again.
+    """Return the folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``jounce`` in the system's cache folder.
 
-    That is ``$XDG_CACHE_HOME``, where it is set, or else ``~/.cache``, on macOS ``~/Library/Caches``, on Windows
+    The cache folder is ``$XDG_CACHE_HOME`` if set, else ``~/.cache``, on macOS ``~/Library/Caches``, on Windows
     ``%LOCALAPPDATA%`` (``jounce/Cache`` there).
 
     Raises
     ------
     RuntimeError
-        Where none can be named: no home folder, or a ``$JOUNCE_CACHE_DIR`` that is not absolute. What lies below the
-        folder that one happens to stand in may be anybody's, an unpacked archive's for example.
+        If there is no home folder, or ``$JOUNCE_CACHE_DIR`` is not absolute: a folder relative to the working
+        directory may hold files of others, of an unpacked archive for example.
     """
     own = os.environ.get("JOUNCE_CACHE_DIR")
     if own:
@@ -59,7 +59,7 @@ def cache_folder() -> Path:
             _tell_relative(own)
             raise RuntimeError("no absolute path")
         return Path(own)
-    shared = os.environ.get("XDG_CACHE_HOME")  # the standard says: not absolute, not valid
+    shared = os.environ.get("XDG_CACHE_HOME")  # a relative path is invalid by the XDG specification
     if shared and Path(shared).is_absolute():
         return Path(shared) / "jounce"
     if sys.platform == "win32":
@@ -69,7 +69,7 @@ def cache_folder() -> Path:
 
 
 def why_not_kept() -> str:
-    """Why native code cannot be kept in the cache folder, in words; empty where it can."""
+    """Return why native code cannot be stored in the cache folder; empty if it can."""
     try:
         folder = cache_folder()
     except RuntimeError:
@@ -82,8 +82,8 @@ def why_not_kept() -> str:
         return f"{error.filename} belongs to another user or can be written by others"
     except OSError:
         pass
-    there = next(str(one) for one in (folder, *folder.parents) if os.path.lexists(one))
-    return "" if Path(there).is_dir() and os.access(there, os.W_OK | os.X_OK) else f"{there} cannot be written"
+    existing = next(str(parent) for parent in (folder, *folder.parents) if os.path.lexists(parent))
+    return "" if Path(existing).is_dir() and os.access(existing, os.W_OK | os.X_OK) else f"{existing} cannot be written"
 
 
 @cache
@@ -92,20 +92,20 @@ def _tell_relative(given: str) -> None:
 
 
 def recall(key: str) -> bytes | None:
-    """Give a cached entry whose checksum holds, else None."""
+    """Return a cached entry if its checksum is right, else None."""
     with contextlib.suppress(RuntimeError):  # there is no home folder
         return read_sealed(cache_folder() / f"{key}.o", key)
     return None
 
 
 def keep(key: str, content: bytes) -> None:
-    """Store an entry; a folder that cannot be written means no cache."""
+    """Store an entry; does nothing if the folder cannot be written."""
     with contextlib.suppress(RuntimeError):  # there is no home folder
         write_sealed(cache_folder() / f"{key}.o", key, content)
 
 
 def read_sealed(file: Path, key: str) -> bytes | None:
-    """Give what a file holds if it was written for this key, is whole, and nobody else could have put it there."""
+    """Return the content of a file if it was written for this key, is complete, and only the user could write it."""
     try:
         content = read_own(file)
     except ForeignError as error:
@@ -118,9 +118,9 @@ def read_sealed(file: Path, key: str) -> bytes | None:
 
 
 def write_sealed(file: Path, key: str, content: bytes) -> bool:
-    """Write a file whole or not at all; tell whether that was possible, where nobody else writes.
+    """Write a file completely or not at all; return whether it was written.
 
-    Nothing is written where the kernel has been edited meanwhile: code of modules as they were would pass for new code.
+    Nothing is written if others can write the folder, or if the kernel's sources were edited since they were loaded.
     """
     from jounce.core.writing import replacing
 
@@ -128,7 +128,8 @@ def write_sealed(file: Path, key: str, content: bytes) -> bool:
         folder = own_folder(file.parent)
         if edited_since("kernel"):
             return False
-        # Whatever the user's mask lets others write; a checksum tells what a power cut leaves of it.
+        # The mode does not depend on the user's umask. No fsync: the checksum detects a file cut short by a power
+        # failure.
         with replacing(folder / file.name, most=0o755, lasting=False) as temporary:
             temporary.write_bytes(_checksum(key, content) + content)
     except ForeignError as error:
@@ -143,7 +144,7 @@ _TOLD: set[Path] = set()
 
 
 def _tell_foreign(folder: Path, where: str) -> None:
-    """Say once of a folder that it is not used, and why."""
+    """Warn once for a folder that it is not used, and why."""
     if folder not in _TOLD:
         _TOLD.add(folder)
         _LOG.warning(
@@ -154,5 +155,5 @@ def _tell_foreign(folder: Path, where: str) -> None:
 
 
 def _checksum(key: str, content: bytes) -> bytes:
-    """Checksum of an entry, with what it was made for."""
+    """Checksum over the key and the content of an entry."""
     return hashlib.sha256(key.encode() + content).digest()

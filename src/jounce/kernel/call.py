@@ -1,11 +1,11 @@
-"""Loops by name: machine code made where jounce is built, loaded at the first call.
+"""Loops by name: machine code compiled when jounce is built, loaded at the first call.
 
-The code is looked for in this order: the object for this platform that came with the package, one made here before,
-the bitcode that came with the package (compiled for this processor, and kept), and last the sources of the loops, which
-takes Numba. Whatever is stale, damaged, or of another machine or LLVM is passed over; what takes long is logged.
+Sources of the code, in this order: the object for this platform shipped with the package, one compiled here before,
+the bitcode shipped with the package (compiled for this processor, and stored), and last the sources of the loops, which
+need Numba. Stale, damaged or foreign code is skipped; slow steps are logged.
 
-A loop takes tuples, arrays and numbers as they are: the code walks them itself, and checks type, number of dimensions
-and order in memory of every array before it reads the first.
+A loop takes tuples, arrays and numbers without conversion: the code reads them, and checks type, number of dimensions
+and memory order of every array before it reads the first.
 """
 
 from __future__ import annotations
@@ -45,17 +45,17 @@ PYTHON = (
 )
 """Functions of the interpreter that the code calls."""
 _HERE = "this processor"
-"""In place of a platform: no object comes along for it."""
+"""Stands for a platform without a shipped object."""
 _PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, ctypes.py_object, ctypes.c_void_p)
 _LOG = logging.getLogger("jounce")
 Head = dict[str, Any]
 
 
 class Loop:
-    """A loop by its name (see ``loops.LOOPS``), to be called with what its annotations say; it gives an integer.
+    """A loop by its name (see ``loops.LOOPS``), called with the arguments of its annotations; it returns an integer.
 
-    With ``here`` its bitcode is compiled for this very processor (once, a quarter of a second) in place of the object
-    for all processors of the platform: loops that run for seconds gain a tenth where there are wider registers.
+    With ``here`` the bitcode is compiled for this processor (once, 0.25 s), instead of loading the object
+    for all processors of the platform: loops that run for seconds gain 10 % from wider registers.
     """
 
     def __init__(self, name: str, *, here: bool = False) -> None:
@@ -67,7 +67,7 @@ class Loop:
         Raises
         ------
         TypeError
-            Where an argument is not what the code was made for; nothing is read or written then.
+            If an argument has another type or layout than the code expects; nothing is read or written then.
         """
         code = self._call(arguments)
         if code < 0:
@@ -89,12 +89,12 @@ class Loop:
         if code == FAILED:
             return RuntimeError(f"the loop {self.name!r} failed")
         path, wanted = self._loaded[0]["leaves"][-1 - code]
-        found: Any = arguments
+        value: Any = arguments
         with contextlib.suppress(Exception):
             for place, _ in path:
-                found = found[place]
+                value = value[place]
         where = ".".join(name for _, name in path) or "arguments"
-        return TypeError(f"loop {self.name!r}: {where} is {_described(found)}, allowed is {wanted}")
+        return TypeError(f"loop {self.name!r}: {where} is {_described(value)}, allowed is {wanted}")
 
 
 def _described(value: Any) -> str:
@@ -107,14 +107,14 @@ def _described(value: Any) -> str:
 
 @cache
 def _facts() -> Any:
-    """What the code has to know of this interpreter: the type of arrays, where their fields begin, numbers of types."""
+    """Facts of this interpreter that the code needs: array type, offset of its fields, type numbers."""
     kinds = (np.float64, np.int64, np.complex128)
     return (ctypes.c_int64 * 5)(id(np.ndarray), object.__basicsize__, *(np.dtype(kind).num for kind in kinds))
 
 
 @cache
 def objects_are_known() -> bool:
-    """Whether Python's tuples and NumPy's arrays look in memory as the code takes them to look."""
+    """Check that Python's tuples and NumPy's arrays have the memory layout that the code assumes."""
     if (
         sys.implementation.name != "cpython"
         or sysconfig.get_config_var("Py_GIL_DISABLED")
@@ -137,26 +137,26 @@ def objects_are_known() -> bool:
     return (
         (tuple(shape), tuple(strides)) == (array.shape, array.strides)
         and kind == (b"=", number)
-        and flags & 0x503 == 0x501  # rows side by side, aligned, to be written to; not columns
+        and flags & 0x503 == 0x501  # C-contiguous, aligned, writeable, not Fortran-contiguous
     )
 
 
 def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
-    """Code of a loop from the first place where it is sound."""
-    ways: tuple[Callable[[], bytes | None], ...] = (
+    """Load the code of a loop from the first source that works."""
+    sources: tuple[Callable[[], bytes | None], ...] = (
         lambda: _shipped(name, platform),
         lambda: recall(key_here(f"loop {name}")),
     )
-    for way in ways:
-        with contextlib.suppress(Exception):  # whatever is wrong with it: the next way
-            found = way()
-            if found is not None:
-                return _ready(found)
+    for read in sources:
+        with contextlib.suppress(Exception):  # any failure: try the next source
+            content = read()
+            if content is not None:
+                return _ready(content)
     try:
         return _ready(_compiled(name, platform))
     except JounceError:  # Numba is missing
         raise
-    except Exception as error:  # noqa: BLE001 - whatever LLVM says to this platform
+    except Exception as error:  # noqa: BLE001 - LLVM raises RuntimeError, ValueError and OSError here
         _LOG.warning("the code of the loop %r cannot be loaded here (%s): Numba compiles it", name, error)
         return {}, _by_numba(name)
 
@@ -168,7 +168,8 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     address, facts = Code([code], (ENTRY,)).address[ENTRY], _facts()
     function, place = _PROTOTYPE(address), ctypes.addressof(facts)
 
-    def call(arguments: tuple[Any, ...], _held: Any = (address, facts)) -> int:  # they live as long as this function
+    # keeps the code loaded as long as this function lives
+    def call(arguments: tuple[Any, ...], _held: Any = (address, facts)) -> int:
         return int(function(arguments, place))
 
     return head, call
@@ -182,23 +183,23 @@ def _shipped(name: str, platform: str) -> bytes | None:
 
 @cache
 def _suits(platform: str) -> bool:
-    """Whether objects are made for this platform, and its processor has what they need."""
+    """Check that the package ships objects for this platform and that its processor can run them."""
     if platform not in PLATFORMS:
         return False
     return all(features().get(feature, False) for feature in PLATFORMS[platform].needs)
 
 
 def _compiled(name: str, platform: str) -> bytes:
-    """Compile the bitcode of a loop, which is made from its sources where none came along, and keep the object."""
+    """Compile the bitcode of a loop (made from its sources if none was shipped), and store the object."""
     content = read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)))
-    with contextlib.suppress(Exception):  # a newer LLVM's, for example
+    with contextlib.suppress(Exception):  # for example bitcode of a newer LLVM
         if content is not None:
             return _kept_object(content, name, platform)
     return _kept_object(bitcode_from_sources(name), name, platform)
 
 
 def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
-    """Object of a loop, kept beside its sources where that is possible, else in the user's cache."""
+    """Compile the object of a loop, and store it beside its sources if possible, else in the user's cache."""
     if _suits(platform):
         content = object_for(bitcode, PLATFORMS[platform])
         key = key_of(name, digest_of(*SOURCES), platform)
@@ -211,7 +212,7 @@ def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
 
 
 def bitcode_from_sources(name: str) -> bytes:
-    """Compile a loop by Numba, and keep its bitcode beside the sources where that is possible."""
+    """Compile a loop with Numba, and store its bitcode beside the sources if possible."""
     _require_numba()
     from jounce.kernel.loops.build import bitcode_of
 
@@ -223,7 +224,7 @@ def bitcode_from_sources(name: str) -> bytes:
 
 
 def _require_numba() -> None:
-    """Refuse where Numba is missing; sources that were never built need no Numba here, they want to be built."""
+    """Raise if Numba is missing; for a source tree whose loops were never built the hint is to build them."""
     root = Path(__file__).parents[3]
     try:
         require("numba", "loops")
@@ -238,10 +239,10 @@ def _require_numba() -> None:
 
 
 def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
-    """Object of a loop for a platform; for this very processor without one."""
+    """Compile the object of a loop for a platform, or for this processor if none is given."""
     machine = this_machine()
     if platform is not None:
-        # On Windows llvmlite itself says that it wants ELF.
+        # On Windows llvmlite itself sets ELF.
         triple = platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
         target = llvm.Target.from_triple(triple)
         machine = target.create_target_machine(cpu=platform.processor, opt=3, jit=True)
@@ -252,7 +253,7 @@ def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
 
 
 def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:
-    """Compile a loop as Numba does, with its own entry: slower to start, and it knows every build of Python."""
+    """Compile a loop by Numba with Numba's own entry: slower to start, but works with every build of Python."""
     _require_numba()
     from jounce.kernel.loops.build import function_of
 

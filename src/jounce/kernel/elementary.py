@@ -1,4 +1,4 @@
-"""Sine, cosine and inverse tangent of vectors as plain operations: a library's take one number a call.
+"""Sine, cosine and inverse tangent of vectors as plain operations: library functions take one number per call.
 
 Each is within two units in the last place of the library's, for angles up to a million radians.
 """
@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from llvmlite import ir
 
 Call = Callable[[str, Sequence[ir.Value]], ir.Value]
-"""An intrinsic of LLVM by its short name, of vectors."""
+"""Calls an LLVM intrinsic on vectors by its short name."""
 
-_FUSED = ("contract",)  # products may be fused into sums, but nothing reordered: the reduction lives on rounding
+_FUSED = ("contract",)  # products may be fused into sums, but not reordered: the argument reduction relies on rounding
 # A quarter of a turn in parts (fdlibm, e_rem_pio2.c). The first two have 33 bits: their products with counts up to 2^20
 # are exact, whether the processor fuses them into the difference or not.
 _QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
@@ -50,7 +50,7 @@ _BELOW = (
     4.853903996359136964868e2,
     1.945506571482613964425e2,
 )
-_TURNED = 0.66  # ratio from which an angle is counted from an eighth of a turn
+_TURNED = 0.66  # ratio (Cephes, atan.c) above which an angle is computed from its difference to 45 degrees
 _HALF, _EIGHTH, _LACKS = math.pi / 2.0, math.pi / 4.0, 3.061616997868383e-17
 
 
@@ -61,7 +61,7 @@ class _Arithmetic:
         self._b, self._kind = builder, kind
 
     def of(self, value: ir.Value | float) -> ir.Value:
-        """A number as a vector."""
+        """Broadcast a number to a vector."""
         return ir.Constant(self._kind, [value] * self._kind.count) if isinstance(value, float) else value
 
     def add(self, x: ir.Value | float, y: ir.Value | float) -> ir.Value:

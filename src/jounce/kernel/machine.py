@@ -1,4 +1,4 @@
-"""The processor that this process runs on, and LLVM's way from a module to code in memory."""
+"""The processor of this process, and compiling of LLVM modules to code in memory."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from llvmlite import binding as llvm
 from jounce.core.errors import SimulationError
 
 IN_LLVM = threading.RLock()
-"""Held by whoever compiles or loads code: a process is split only while nobody does, or its half would find it torn."""
+"""Held while code is compiled or loaded; forking needs it too, so that a child never inherits LLVM half-changed."""
 
 
 class Address(int):
-    """Where a function of loaded code lives. Whoever holds the address holds the code: it is not unloaded before."""
+    """Address of a loaded function. It holds a reference to the code, which is not unloaded before the address dies."""
 
     def __new__(cls, value: int, code: Any) -> Address:
-        """Tie an address to what keeps its code loaded."""
+        """Store the object that keeps the code loaded with the address."""
         address = super().__new__(cls, value)
         address._code = code
         return address
@@ -31,7 +31,7 @@ class Address(int):
 
 
 class Code:
-    """Loaded machine code; ``address[name]`` is where the function of that name lives."""
+    """Loaded machine code; ``address[name]`` is the address of the function of that name."""
 
     def __init__(self, objects: Iterable[bytes], names: tuple[str, ...]) -> None:
         with IN_LLVM:
@@ -45,19 +45,19 @@ class Code:
 
 
 def machine_code(module: Any, machine: Any, level: int, *, vectors: bool = True) -> bytes:
-    """Optimise a module, and give the object for a machine."""
+    """Optimise a module, and return the object for a machine."""
     optimise(module, machine, level, vectors=vectors)
     return bytes(machine.emit_object(module))
 
 
 def optimise(module: Any, machine: Any, level: int, *, vectors: bool = True) -> None:
-    """Run LLVM's passes over a module; from level 2 on loops are made vectors where they shall be."""
+    """Run LLVM's passes over a module; loops are vectorised from level 2 on if ``vectors`` is true."""
     tuning = llvm.create_pipeline_tuning_options(speed_level=level)
     tuning.loop_vectorization, tuning.slp_vectorization = (
         vectors and level > 1,
         False,
     )  # packing scalars costs more than it gains
-    tuning.loop_unrolling = level > 1  # unrolled loops would not become vectors any more
+    tuning.loop_unrolling = level > 1  # at level 1 unrolled loops would not be vectorised later
     builder = llvm.create_pass_builder(machine, tuning)
     builder.getModulePassManager().run(module, builder)
 
@@ -69,7 +69,7 @@ def _initialise() -> None:
 
 
 def this_machine(level: int = 3) -> Any:
-    """Give the machine that this process runs on; at level 0 its code is made quickly rather than quick."""
+    """Return LLVM's target machine for this process; level 0 compiles fastest, level 3 gives the fastest code."""
     _initialise()
     return llvm.Target.from_default_triple().create_target_machine(
         opt=level, cpu=processor(), features=_features(), jit=True
@@ -82,17 +82,17 @@ LEVELS: dict[str, tuple[str, ...]] = {
     "x86-64-v2": ("cx16", "popcnt", "sse4.2", "ssse3"),
     "x86-64-v3": LEVEL_3,
 }
-"""Levels of processors that ``JOUNCE_PROCESSOR`` may name, and what each needs: those of the x86-64 psABI."""
+"""Processor levels that ``JOUNCE_PROCESSOR`` may name with the features each needs (x86-64 psABI)."""
 
 
 @cache
 def processor() -> str:
-    """Name of the processor that code is made for: this one, or the level that ``JOUNCE_PROCESSOR`` names.
+    """Return the processor that code is compiled for: this one, or the level in ``JOUNCE_PROCESSOR``.
 
     Raises
     ------
     SimulationError
-        Where there is no such level, or this processor is below it: its code would end the process.
+        If there is no such level, or this processor is below it: illegal instructions would end the process.
     """
     level = os.environ.get("JOUNCE_PROCESSOR")
     if not level:
@@ -109,17 +109,17 @@ def processor() -> str:
 
 
 def levels() -> list[str]:
-    """Levels that this processor reaches."""
-    there = _instructions()
+    """Return the levels that this processor reaches."""
+    available = _instructions()
     known = LEVELS if llvm.get_process_triple().startswith("x86_64") else {}
-    return [name for name, needs in known.items() if all(there.get(one, False) for one in needs)]
+    return [name for name, needs in known.items() if all(available.get(feature, False) for feature in needs)]
 
 
 @cache
 def features() -> dict[str, bool]:
-    """Special instructions that code may use by name, whether it may; none where LLVM does not know the processor."""
-    there = _instructions()
-    return dict.fromkeys(LEVELS[processor()], True) if os.environ.get("JOUNCE_PROCESSOR") else there
+    """Instruction sets by name with whether code may use them; empty if LLVM does not know the processor."""
+    available = _instructions()
+    return dict.fromkeys(LEVELS[processor()], True) if os.environ.get("JOUNCE_PROCESSOR") else available
 
 
 def _instructions() -> dict[str, bool]:
@@ -129,7 +129,7 @@ def _instructions() -> dict[str, bool]:
 
 
 def vector_width() -> int:
-    """Numbers that the widest vectors of this processor hold: eight with AVX-512, else four (or two of two)."""
+    """Doubles per widest vector of this processor: 8 with AVX-512, else 4 (two vectors of 2 on SSE and NEON)."""
     return 8 if features().get("avx512f", False) else 4
 
 
@@ -138,9 +138,9 @@ def _features() -> str:
 
 
 def compiled_for() -> str:
-    """System and processor, and versions of the compiler: code for others is not taken.
+    """Identify system, processor and compiler versions; code made for another combination is not used.
 
-    A folder may be shared with other systems (a container's home), and LLVM ends a process that gives it their objects.
+    A cache folder may be shared with other systems (a container's home), whose objects LLVM aborts on.
     """
     versions = f"{llvmlite.__version__} {llvm.llvm_version_info}"
     return f"{versions} {llvm.get_process_triple()} {processor()} {_features()}"

@@ -1,4 +1,4 @@
-"""Native code of expression graphs, made once and kept on disk."""
+"""Native code of expression graphs, compiled once and stored on disk."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
 MANY = ("output", "project_many", "switch_many")
 SELDOM = frozenset({"slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s"})
-"""Functions called a few times a run: they are compiled without optimising, which would make them little faster."""
+"""Functions called a few times per run: compiled without optimisation, which takes longer than it saves."""
 
 
 class AnyStep(Protocol):
-    """Functions around those of a model that are written as native code (steps, loops over rows), and their names."""
+    """Functions around those of a model, emitted as native code (steps, loops over rows)."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -41,12 +41,12 @@ class AnyStep(Protocol):
 
 
 SINGLE = {"project": "project_many"}
-"""Functions of one sample that are made of those of many, where a module has these."""
+"""Functions of one sample, made from the function of many samples if a module has that."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """What native code is made of: functions by name, the step around them, and notes that are kept with the code."""
+    """Source of native code: functions by name, the step around them, and notes stored with the code."""
 
     functions: Mapping[str, AnyFunction]
     step: AnyStep | None = None
@@ -54,7 +54,7 @@ class Source:
 
 
 class Native(Code):
-    """Native code of a model; ``address[name]`` is where the function of that name lives."""
+    """Native code of a model; ``address[name]`` is the address of the function of that name."""
 
     def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""
@@ -62,7 +62,7 @@ class Native(Code):
         address = self.address[name]
         try:
             _evaluate(address, *inputs, out)
-        except TypeError:  # an argument that is no row of numbers side by side
+        except TypeError:  # an argument is no contiguous array of doubles
             _evaluate(address, *(np.ascontiguousarray(value, dtype=np.float64).ravel() for value in inputs), out)
         return out if len(shape) == 1 else out.reshape(shape, order="F")
 
@@ -85,27 +85,27 @@ def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None
 
 
 def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
-    """Give native code and the notes of its source from the cache, or make them and keep them.
+    """Return native code and the notes of its source from the cache, or compile and store them.
 
-    ``identity`` says everything that the code depends on, apart from this processor, the kernel and versions of the
-    compiler; ``make`` gives the functions where the cache holds no sound entry.
+    ``identity`` covers everything that the code depends on, except this processor, the kernel and versions of the
+    compiler; ``make`` returns the functions if the cache has no valid entry.
     """
     key = key_here(identity)
     cached = recall(key)
     if cached is not None:
-        with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
+        with contextlib.suppress(Exception):  # any failure: rebuild
             return _load(cached)
     once = f"in every process: {why}" if (why := why_not_kept()) else "once on this machine"
-    with told(f"compiling the model ({once})"), _garbage_waits():
-        content = compile_in_child(lambda: _made(make)) or _made(make)
+    with told(f"compiling the model ({once})"), _without_garbage_collection():
+        content = compile_in_child(lambda: _compile_entry(make)) or _compile_entry(make)
         keep(key, content)
     return _load(content)
 
 
-def _made(make: Callable[[], Source]) -> bytes:
-    """Make an entry of the cache.
+def _compile_entry(make: Callable[[], Source]) -> bytes:
+    """Compile the functions to one cache entry.
 
-    Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes seconds.
+    The entry holds object files: loading takes a millisecond, compiling the same functions takes seconds.
     """
     source = make()
     names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
@@ -116,10 +116,10 @@ def _made(make: Callable[[], Source]) -> bytes:
 
 
 @contextlib.contextmanager
-def _garbage_waits() -> Iterator[None]:
-    """Collect no garbage for a while: a model is made of a million small objects, and hardly one of them is any.
+def _without_garbage_collection() -> Iterator[None]:
+    """Stop the garbage collector: compiling makes a million small objects, of which hardly any is garbage.
 
-    They are let go before its end, or the first collection would look at each of them.
+    They are released inside this context; otherwise the first collection after it would visit each of them.
     """
     collects = gc.isenabled()
     gc.disable()
@@ -142,10 +142,10 @@ def _singles(functions: Mapping[str, object]) -> dict[str, str]:
 
 
 def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> list[bytes]:
-    """Objects of functions: those that a run calls again and again, and those called seldom."""
+    """Compile the objects: one of the functions that a run calls often, one of those in ``SELDOM``."""
     from jounce.kernel.lowering import Lowering
 
-    often, seldom = Lowering(), Lowering()  # two modules: how code is made is said for a whole one
+    often, seldom = Lowering(), Lowering()  # two modules: the optimisation level holds for a whole module
     for name, function in functions.items():
         if name in SELDOM:
             seldom.add(name, function, seldom=True)
@@ -157,16 +157,16 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
         often.add_single(name, many)
     if step:
         step.add(often)
-    # Of poses there are tens, not thousands as of a run's samples, and to find that so large a loop is none for vectors
-    # takes longer than all else: 2 of 4 s for the slopes of a corner along six coordinates of its hardpoints.
-    made = [machine_code(_parsed(often), this_machine(), 3, vectors=step is not None)]
+    # Without a step there are tens of poses, not thousands of samples: vectorising does not pay, and the attempt
+    # takes half the time (2 of 4 s for the slopes of a corner along six coordinates of its hardpoints).
+    objects = [machine_code(_parsed(often), this_machine(), 3, vectors=step is not None)]
     if not SELDOM.isdisjoint(functions):
-        made.append(bytes(this_machine(0).emit_object(_parsed(seldom))))
-    return made
+        objects.append(bytes(this_machine(0).emit_object(_parsed(seldom))))
+    return objects
 
 
 def _parsed(lowering: Lowering) -> Any:
-    """The module as LLVM has it; what it was written as, where blocks and instructions hold each other, is let go."""
+    """Parse the module by LLVM; llvmlite's own blocks and instructions, which form reference cycles, are released."""
     module = llvm.parse_assembly(str(lowering.module))
     for function in lowering.module.functions:
         for block in function.blocks:

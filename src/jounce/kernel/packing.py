@@ -1,9 +1,9 @@
-"""Equal parts side by side: what several parts of a model do alike is computed once, in vectors of one lane a part.
+"""Equal parts side by side: operations that several parts of a model share are vectorised, one lane per part.
 
-The corners of a car are the same expressions of different symbols. Every node of an expression graph gets a *shape*
-(its operation and those of what it is made of, symbols by their names without the part's) and the parts it belongs to.
-Nodes of one shape, one for each part, make a vector; what parts share is spread over its lanes, and what is made of
-several parts is one number again.
+The corners of a car are equal expressions of different symbols. Every node of an expression graph gets a *shape*
+(its operation and the shapes of its operands; for symbols the name without the part's) and the parts it belongs to.
+Nodes of one shape, one per part, form a vector; values that parts share are broadcast, and results that combine
+several parts are scalars again.
 """
 
 from __future__ import annotations
@@ -18,39 +18,39 @@ import numpy as np
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 SHARED = -1
-"""Parts of what belongs to none in particular: every bit is set."""
+"""Mask of nodes that belong to no part in particular: every bit is set."""
 
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a model that are alike.
+    """The equal parts of a model.
 
-    ``prefixes`` are, for each part, what its names begin with, then what the names of an assembly begin with that it
-    belongs to; ``groups`` the parts that stand side by side, together all of them.
+    ``prefixes`` are, for each part, the prefix of its names, then the prefixes of the assemblies that it
+    belongs to; ``groups`` are the parts that are vectorised together (each part is in one group).
     """
 
     prefixes: tuple[tuple[str, ...], ...]
     groups: tuple[tuple[int, ...], ...]
 
     def label(self, name: str) -> tuple[str, int]:
-        """Name without the part's, and the parts it belongs to."""
+        """Return a name without its part's prefix, and the mask of parts it belongs to."""
         for place in range(len(self.prefixes[0]) if self.prefixes else 0):
-            mask, kept = 0, name
+            mask, rest = 0, name
             for i, prefixes in enumerate(self.prefixes):
                 if name.startswith(f"{prefixes[place]}."):
-                    mask, kept = mask | 1 << i, name[len(prefixes[place]) :]
+                    mask, rest = mask | 1 << i, name[len(prefixes[place]) :]
             if mask:
-                return f"{place}{kept}", mask
+                return f"{place}{rest}", mask
         return name, SHARED
 
     @cached_property
     def assemblies(self) -> frozenset[int]:
-        """Parts of each assembly."""
-        found: dict[str, int] = {}
+        """Masks of the parts of each assembly."""
+        masks: dict[str, int] = {}
         for i, prefixes in enumerate(self.prefixes):
             for prefix in prefixes[1:]:
-                found[prefix] = found.get(prefix, 0) | 1 << i
-        return frozenset(found.values())
+                masks[prefix] = masks.get(prefix, 0) | 1 << i
+        return frozenset(masks.values())
 
 
 class Node(NamedTuple):
@@ -63,10 +63,10 @@ class Node(NamedTuple):
 
 @dataclass(frozen=True)
 class Packed:
-    """A function of (x, u, p, m) with what its parts do alike side by side.
+    """A function of (x, u, p, m) whose equal parts are vectorised.
 
-    ``labels`` give, for each argument, name and parts of every element; ``table`` says where elements of ``p`` that
-    stand side by side lie in that order.
+    ``labels`` give, for each argument, name and parts of every element; ``table`` gives the offset in ``p`` of elements
+    that are stored side by side in that order.
     """
 
     function: ca.Function
@@ -76,12 +76,12 @@ class Packed:
 
     @property
     def form(self) -> str:
-        """What there is to the code beside the function."""
+        """Everything but the function that the code depends on, for the cache key."""
         return f"{self.parts} {self.labels} {self.table}"
 
     @cached_property
     def graph(self) -> Graph:
-        """Its nodes."""
+        """Nodes of the function."""
         return Graph(self.function, self.parts, self.labels)
 
 
@@ -108,7 +108,7 @@ class Graph:
         self.shapes, self.masks = [-1] * len(self.nodes), [SHARED] * len(self.nodes)
         self._known: dict[Any, int] = {}
         self._mixed = set[int]()
-        self._numbers, self._sums = set[int](), set[int]()  # what is taken as a number, what is added up over parts
+        self._numbers, self._sums = set[int](), set[int]()  # nodes treated as scalars, and sums over parts
         for i, node in enumerate(self.nodes):
             if node.operation == "OP_CONST":
                 self._call(i, ("constant", node.leaf), SHARED)
@@ -118,16 +118,16 @@ class Graph:
             else:
                 self._call(i, *self._combined(i, node))
         self._gather()
-        # What one part has and the others have not (a leading corner's sign, the last term of a sum over corners)
-        # cannot stand in a vector. Taken as a number of its own it changes the shapes of all that is made of it: name
-        # that anew.
-        while alone := self._alone():
-            self._numbers |= alone
-            self._name_after(alone)
+        # A node that one part has and the others lack (a leading corner's sign, the last term of a sum over corners)
+        # cannot be a lane. Treating it as a scalar changes the shapes of all nodes that depend on it, which are
+        # computed again.
+        while scalars := self._unmatched():
+            self._numbers |= scalars
+            self._update_shapes(scalars)
             self._gather()
 
     def _call(self, i: int, shape: tuple[Any, ...], mask: int) -> bool:
-        """Give a node its shape and parts; tell whether it had others."""
+        """Set shape and parts of a node; return whether they changed."""
         number = self._known.setdefault(shape, len(self._known))
         if shape[0] == "mixed":
             self._mixed.add(number)
@@ -136,8 +136,8 @@ class Graph:
         self.shapes[i], self.masks[i] = number, mask
         return True
 
-    def _name_after(self, numbers: set[int]) -> None:
-        """Name anew what has become a number, and what is made of it."""
+    def _update_shapes(self, numbers: set[int]) -> None:
+        """Compute the shapes of new scalars, and of all nodes that depend on them."""
         changed = set[int]()
         for i in range(min(numbers), len(self.nodes)):
             node = self.nodes[i]
@@ -148,7 +148,7 @@ class Graph:
                     changed.add(i)
 
     def _gather(self) -> None:
-        """Find the nodes of each shape by their parts, and the groups of parts in which it is complete."""
+        """Find the nodes of each shape by part, and the groups whose parts all have it."""
         shapes, masks, count = np.array(self.shapes, int), np.array(self.masks, int), len(self._known)
         own = np.flatnonzero(masks != SHARED)
         present = np.zeros(count, dtype=int)
@@ -165,7 +165,7 @@ class Graph:
         self._incomplete = own[complete[shapes[own]] & masks[own] == 0]
 
     def _combined(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
-        """Shape and parts of an operation."""
+        """Return shape and parts of an operation."""
         mask, every = SHARED, 0
         for operand in node.operands:
             own = self.masks[operand]
@@ -183,100 +183,100 @@ class Graph:
             return shape, mask
         if is_sum:
             self._sums.add(i)
-        if every in self.parts.assemblies:  # of parts of one assembly: the same number for each of them
+        if every in self.parts.assemblies:  # all parts of one assembly: one value for all of them
             return ("mixed", *shape), every
         return ("number", i), SHARED
 
-    def _alone(self) -> set[int]:
-        """Nodes of one part that the others have not, the first ones on each way: sums over all parts end in such."""
-        found, touched = set[int](), set[int]()
+    def _unmatched(self) -> set[int]:
+        """Return nodes of one part that the others lack, the first on each path (as at the end of sums over parts)."""
+        unmatched, touched = set[int](), set[int]()
         incomplete = {i for i in self._incomplete.tolist() if self.nodes[i].operands}
         for i in range(min(incomplete), len(self.nodes)) if incomplete else ():
             if not touched.isdisjoint(self.nodes[i].operands):
                 touched.add(i)
             elif i in incomplete:
                 touched.add(i)
-                found.add(i)
-        return found
+                unmatched.add(i)
+        return unmatched
 
     def group_of(self, node: int) -> tuple[int, ...] | None:
-        """Parts whose vector has a node as a lane; None where it stays a number of its own."""
+        """Return the parts whose vector has a node as a lane; None for a scalar."""
         if self.masks[node] == SHARED:
             return None
         own = self._complete[self.shapes[node]] & self.masks[node]
         return next((group for group in self.parts.groups if any(own >> i & 1 for i in group)), None)
 
     def is_mixed(self, node: int) -> bool:
-        """Tell whether a node is made of several parts of an assembly."""
+        """Return whether a node combines several parts of an assembly."""
         return self.shapes[node] in self._mixed
 
     def lanes(self, shape: int, group: tuple[int, ...]) -> tuple[int, ...]:
-        """Nodes of one shape for a group of parts."""
+        """Return the nodes of one shape for a group of parts."""
         return tuple(self.members[shape][i] for i in group)
 
     def tables(self, argument: int) -> list[tuple[int, ...]]:
-        """Elements of an argument that stand side by side as leaves."""
-        found = dict.fromkeys(
+        """Return the elements of an argument that are lanes of one vector."""
+        leaves = dict.fromkeys(
             (shape, group)
             for i, node in enumerate(self.nodes)
             if node.operation == "OP_INPUT" and node.leaf[0] == argument
             for shape, group in [(self.shapes[i], self.group_of(i))]
             if group is not None
         )
-        return [tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group)) for shape, group in found]
+        return [tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group)) for shape, group in leaves]
 
 
 class Writer(Protocol):
-    """Writes one operation after the other for a processor or a compiler; a value is whatever stands for one there."""
+    """Emits operations for a processor or a compiler; values are objects of that target."""
 
     def constant(self, value: float) -> Any:
-        """A number that is known."""
+        """Emit a constant."""
 
     def load(self, argument: int, element: int) -> Any:
-        """An element of an argument."""
+        """Emit the load of an element of an argument."""
 
     def load_wide(self, offset: int, count: int) -> Any:
-        """Parameters that stand side by side, as a vector."""
+        """Emit the load of adjacent parameters as a vector."""
 
     def scalar(self, operation: str, values: list[Any]) -> Any:
-        """An operation on numbers."""
+        """Emit an operation on scalars."""
 
     def wide(self, operation: str, values: list[Any]) -> Any | None:
-        """An operation on vectors; None where it has to be done lane by lane."""
+        """Emit an operation on vectors; return None if it exists for scalars only."""
 
     def lane(self, vector: Any, lane: int) -> Any:
-        """A lane of a vector."""
+        """Emit the extraction of a lane."""
 
     def gathered(self, values: list[Any]) -> Any:
-        """Numbers as lanes of a vector."""
+        """Emit a vector of scalars."""
 
 
 class Emission:
-    """Has the nodes of a graph written, each vector and each number once, what is wanted first first."""
+    """Emits the nodes of a graph on demand, each vector and each scalar once."""
 
     def __init__(self, packed: Packed, writer: Writer) -> None:
         self._graph, self._table, self._writer = packed.graph, packed.table, writer
-        self._made: dict[tuple[Any, ...], Any] = {}
+        self._emitted: dict[tuple[Any, ...], Any] = {}
 
     def number(self, node: int) -> Any:
-        """Value of a node."""
+        """Return the value of a node, emitted if it is not yet."""
         return self._get(("number", node))
 
     def _get(self, wanted: tuple[Any, ...]) -> Any:
-        # Not by recursion: graphs of whole vehicles are deeper than Python's stack.
+        # No recursion: graphs of whole vehicles exceed Python's recursion limit.
         stack = [wanted]
         while stack:
             item = stack[-1]
-            if item in self._made:
+            if item in self._emitted:
                 stack.pop()
                 continue
-            missing = [part for part in self._needs(item) if part not in self._made]
+            missing = [part for part in self._needs(item) if part not in self._emitted]
             if missing:
                 stack += missing
                 continue
-            self._made[item] = self._make(item)
+            self._emitted[item] = self._make(item)
             stack.pop()
-        return self._made[wanted]
+        return self._emitted[wanted]
 
     def _needs(self, item: tuple[Any, ...]) -> Iterable[tuple[Any, ...]]:
         graph = self._graph
@@ -292,7 +292,7 @@ class Emission:
         return self._operands(first, item[2])
 
     def _vector_of(self, node: int) -> tuple[Any, ...] | None:
-        """The vector that a node's value is taken from."""
+        """Return the vector that has the node as a lane."""
         graph = self._graph
         if graph.nodes[node].operation == "OP_INPUT" or graph.is_mixed(node):
             return None
@@ -300,7 +300,7 @@ class Emission:
         return ("vector", graph.shapes[node], group) if group is not None else None
 
     def _operands(self, first: int, group: tuple[int, ...]) -> list[tuple[Any, ...]]:
-        """What a vector is made of, whose first lane is a node."""
+        """Return the operands of the vector whose first lane is the node ``first``."""
         graph = self._graph
         return [
             ("spread", i, len(group)) if graph.masks[i] == SHARED else ("vector", graph.shapes[i], group)
@@ -310,35 +310,35 @@ class Emission:
     def _make(self, item: tuple[Any, ...]) -> Any:
         graph, writer = self._graph, self._writer
         if item[0] == "spread":
-            return writer.gathered([self._made["number", item[1]]] * item[2])
+            return writer.gathered([self._emitted["number", item[1]]] * item[2])
         if item[0] == "vector":
             return self._vector(item[1], item[2])
         node = graph.nodes[item[1]]
         vector = self._vector_of(item[1])
         if vector:
             lane = next(k for k, i in enumerate(vector[2]) if graph.masks[item[1]] >> i & 1)
-            return writer.lane(self._made[vector], lane)
+            return writer.lane(self._emitted[vector], lane)
         if node.operation == "OP_CONST":
             return writer.constant(node.leaf)
         if node.operation == "OP_INPUT":
             return writer.load(*node.leaf)
-        return writer.scalar(node.operation, [self._made["number", i] for i in node.operands])
+        return writer.scalar(node.operation, [self._emitted["number", i] for i in node.operands])
 
     def _vector(self, shape: int, group: tuple[int, ...]) -> Any:
         graph, writer = self._graph, self._writer
         node = graph.members[shape][group[0]]
         first = graph.nodes[node]
         if graph.is_mixed(node):
-            return writer.gathered([self._made["number", i] for i in graph.lanes(shape, group)])
+            return writer.gathered([self._emitted["number", i] for i in graph.lanes(shape, group)])
         if first.operation == "OP_INPUT":
             leaves = [graph.nodes[i].leaf for i in graph.lanes(shape, group)]
             offset = self._table.get(tuple(element for _, element in leaves))
             if leaves[0][0] == 2 and offset is not None:
                 return writer.load_wide(offset, len(group))
             return writer.gathered([writer.load(*leaf) for leaf in leaves])
-        operands = [self._made[item] for item in self._operands(node, group)]
-        found = writer.wide(first.operation, operands)
-        if found is not None:
-            return found
+        operands = [self._emitted[item] for item in self._operands(node, group)]
+        vector = writer.wide(first.operation, operands)
+        if vector is not None:
+            return vector
         each = [[writer.lane(value, k) for value in operands] for k in range(len(group))]
         return writer.gathered([writer.scalar(first.operation, values) for values in each])
