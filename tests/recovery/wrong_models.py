@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 import jounce as jn
-from jounce.identify.discrepancy import CalibrationProblem, _State
+from jounce.identify.discrepancy import ModelErrorProblem, _State
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
 from jounce.identify.settings import UpdateSettings
@@ -173,7 +173,7 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         trial = jn.Trial(road=road, speed=speed, duration=DURATION)
         meant.append(jn.FitTrial(f"trial {number}", rig, trial, jn.simulate(rig, trial)[list(CHANNELS)], sensor))
     free = free_parameters(told, FREE, where="doubted bench")
-    one = CalibrationProblem(
+    one = ModelErrorProblem(
         meant,
         free,
         UpdateSettings(weights="normalised", align="lag", tolerance=1e-7, doubt=jn.Doubt()),

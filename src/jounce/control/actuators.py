@@ -68,7 +68,7 @@ class Instant:
 
     def clipped(self, command: ca.SX) -> ca.SX:
         """A command within the limits of the actuator."""
-        return clipped(command, self.number("minimum"), self.number("maximum"))
+        return clip(command, self.number("minimum"), self.number("maximum"))
 
     def between(self, share: ca.SX) -> ca.SX:
         """Command at a share (0 to 1) of the way from the smallest to the largest; of dampers from soft to firm."""
@@ -390,7 +390,7 @@ class MagnetorheologicalDamper(_Actuator):
         """Voltage, V, by the share of the force between the two laws."""
         off, on = self._force("off", now), self._force("on", now)
         share = (force - off) * (on - off) / ca.fmax((on - off) ** 2, 1e-12)
-        return now.between(clipped(share, 0.0, 1.0))
+        return now.between(clip(share, 0.0, 1.0))
 
     def _force(self, end: str, now: Instant) -> ca.SX:
         """Force (N) at one end of the voltage."""
@@ -409,7 +409,7 @@ class _ControllerPoint(SampledPoint):
         return ca.tanh(self.velocity / _REVERSAL)
 
 
-def clipped(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
+def clip(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
     """A symbol kept between two limits."""
     return ca.fmin(ca.fmax(x, low), high)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from jounce.control.actuators import Instant, Lookup, clipped
+from jounce.control.actuators import Instant, Lookup, clip
 from jounce.control.controller import Controller
 from jounce.control.design import CornerModel
 from jounce.core.remembered import Recent
@@ -66,7 +66,7 @@ def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
         command = decision.command
         if controller.actuator.rate_limit is not None:
             step = now.number("rate_limit")
-            command = clipped(command, before - step, before + step)
+            command = clip(command, before - step, before + step)
         commands.append(command)
         memories.extend(decision.memory)
     memory = ca.vertcat(*(symbol for group in kept for symbol in group), *last)

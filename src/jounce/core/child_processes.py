@@ -104,7 +104,7 @@ LIMITS_MEMORY = sys.platform.startswith("linux")
 _BETWEEN_LOOKS = 0.25  # s: a process may take too much for so long
 
 
-class Watch(threading.Thread):
+class ProcessWatch(threading.Thread):
     """Ends a child that takes too long by the clock or, where the system limits no memory but tells it, too much."""
 
     def __init__(self, process: subprocess.Popen[bytes], seconds: float, memory: float) -> None:

@@ -14,7 +14,7 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.poses import spin_axis
-from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
+from jounce.design.refitting import Changes, has_rocker, refit, rod_lengths, rods, triple
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.model import kinematic_model
 from jounce.parts import Corner, DoubleWishbone, FiveLink, McPherson, Rig
@@ -366,7 +366,7 @@ def _assembled(rig: C, values: Mapping[str, float]) -> C:
         inner |= {name: getattr(rig.hardpoints, name) + outward for name in tops}
     shims = {name: -values["camber_shim"] * spin_axis(rig) for name in _shimmed(rig)} if "camber_shim" in values else {}
     changes = Changes({k: triple(v) for k, v in inner.items()}, lengths, shims, values.get("pushrod_length", 0.0))
-    return refitted(rig, changes)
+    return refit(rig, changes)
 
 
 def _arms(rig: Corner) -> list[str]:

@@ -110,7 +110,7 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
                 if path in taken:
                     raise DescriptionError("is free twice", where=where, found=path, allowed="each number once")
                 taken[path] = where
-                matrix[index[path], j] = sign * _mirrored(numbering, first[j], path)
+                matrix[index[path], j] = sign * _mirror_sign(numbering, first[j], path)
         at = np.array([origin[index[path]] for path in first])
         if entry.along is not None:
             if size != 3:
@@ -167,7 +167,7 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
     return paths
 
 
-def _mirrored(numbering: Numbering, first: str, other: str) -> float:
+def _mirror_sign(numbering: Numbering, first: str, other: str) -> float:
     """-1 for a lateral coordinate on the other side of the car than the first one, else 1."""
     sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, other)]
     return sides[0] * sides[1] if coordinate(other) == _LATERAL else 1.0

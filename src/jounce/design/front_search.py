@@ -13,7 +13,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.design.mixtures import achieved
+from jounce.design.mixtures import achievement
 
 SHARE = 1e-3  # of all goals beside the one that is relatively worst: what is worse in one for nothing is not best
 _PRECISION = 1e-10
@@ -81,7 +81,7 @@ class FrontSearch:
             left = np.concatenate([z[size] - (goals - aim.best[of]) / width, firm])
             return left, np.vstack([rows, np.hstack([table, np.zeros((len(firm), 1))])])
 
-        z, is_at_rest = np.append(begin, achieved(goals, *aim)), False
+        z, is_at_rest = np.append(begin, achievement(goals, *aim)), False
         for _ in range(self.tries):  # SLSQP forgets its curvature at a new start, which helps where it stalled
             result = minimize(
                 least, z, jac=True, method="SLSQP",

@@ -20,7 +20,7 @@ from jounce.core.types import Array
 from jounce.core.waiting import told
 from jounce.design.cases import Case
 from jounce.design.front_search import SHARE, Aim, FrontSearch
-from jounce.design.mixtures import MOST_GOALS, achieved, across_gap, mixtures, undominated
+from jounce.design.mixtures import MOST_GOALS, achievement, across_gap, mixtures, undominated_rows
 from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven
 from jounce.identify.fit_problem import Bounds
@@ -169,7 +169,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
         settled, span = _search(race, points, tried)
     sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
     found = np.array([race.goals_at(values) for values in sound])
-    kept = sorted(undominated(found, span), key=lambda i: tuple(found[i]))
+    kept = sorted(undominated_rows(found, span), key=lambda i: tuple(found[i]))
     designs = np.array([sound[i] for i in kept])
     paths, units = [number.path for number in problem.free], {name: problem.metrics[name].unit for name in names}
     whole = {name: np.array([problem.whole(name, values)[0] for values in designs]) for name in names}
@@ -200,7 +200,7 @@ def _aims(race: _GoalSearch, tried: list[Array], best: Array, span: Array, point
     known: set[tuple[int, int]] = set()
     while len(tried) < points:
         goals = np.array([race.goals_at(values) for values in tried])
-        kept = undominated(goals, span)
+        kept = undominated_rows(goals, span)
         pairs = {(kept.index(i), kept.index(j)) for i, j in known if i in kept and j in kept}
         before = set(pairs)
         mixture = across_gap((goals[kept] - best) / span, pairs)
@@ -270,7 +270,7 @@ class _GoalSearch(FrontSearch):
 
     def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
         """How far limits are broken, and how bad the relatively worst metric is."""
-        return max(violation_of(self.problem, x), _KEPT), achieved(self.goals_at(x), *aim)
+        return max(violation_of(self.problem, x), _KEPT), achievement(self.goals_at(x), *aim)
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
         """Make the relatively worst goal as good as it can be from some values (SI); tell whether it came to rest."""
@@ -285,7 +285,7 @@ class _GoalSearch(FrontSearch):
 
         def worst(u: Array) -> float:
             goals = self.goals_at(self.scale.values(u))
-            return achieved(goals, *aim) + SHARE * float(np.sum((goals - aim.best) / aim.span))
+            return achievement(goals, *aim) + SHARE * float(np.sum((goals - aim.best) / aim.span))
 
         def kept(u: Array) -> Array:
             return np.concatenate([self.room(u)[0], u, 1.0 - u])

@@ -17,7 +17,7 @@ from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.hardpoint_search import HardpointSearch, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
 from jounce.design.kinematics import KinematicTask, moved_rigs, read_task, values_before
-from jounce.design.mixtures import MOST_GOALS, achieved, mixtures, undominated
+from jounce.design.mixtures import MOST_GOALS, achievement, mixtures, undominated_rows
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig
@@ -162,7 +162,7 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
     tried = list(corners)
     race.between(tried, best, span, mixtures(len(goals), points))
     sound = [x for x in tried if race.holds(x)]
-    kept = undominated(np.array([race.goals_at(x) for x in sound]), span)
+    kept = undominated_rows(np.array([race.goals_at(x) for x in sound]), span)
     designs = [design for design in (_design(race, sound[i]) for i in kept) if design is not None]
     findings = []
     if len(designs) == 1:
@@ -254,7 +254,7 @@ class _HardpointFrontSearch(FrontSearch):
 
     def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
         """Whether constraints are broken, and how bad the relatively worst goal is."""
-        return float(not self.holds(x)), achieved(self.goals_at(x), *aim)
+        return float(not self.holds(x)), achievement(self.goals_at(x), *aim)
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
         """Goals and their slopes."""

@@ -456,7 +456,7 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], F
             study, KinematicTask(rigs, study.free, study.target, study.around(), study.spread, study.shapes or {})
         ), files
     except DescriptionError as error:
-        raise _placed(error, path, text) from None
+        raise _place_error(error, path, text) from None
 
 
 def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
@@ -470,7 +470,7 @@ def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
     return run_study(path, read)[0]
 
 
-def _placed(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
+def _place_error(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
     """The error with file and line, where its place is one of the study."""
     head = error.where.replace("]", "").replace("[", ".").split(".")
     if head[0] not in ("free", "target", "spread", "vehicles"):
@@ -574,7 +574,7 @@ def _result(
 ) -> KinematicDesign:
     numbering = search.evaluator.numbering
     values, slopes = search.evaluator.at(numbering.values(moved))
-    targets = tuple(told(*one) for one in zip(search.wanted, before, values, strict=True))
+    targets = tuple(target_result(*one) for one in zip(search.wanted, before, values, strict=True))
     known = dict(zip(numbering.paths, zip(numbering.values(), numbering.values(moved), strict=True), strict=True))
     tells = [
         StartResult(
@@ -612,7 +612,7 @@ def _result(
     )
 
 
-def told(item: Wanted, before: Array, after: Array) -> TargetResult:
+def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
     """A target in the words of results."""
     text = item.text
     limits = text.values is None and text.value is None

@@ -199,7 +199,7 @@ def fit_hardpoints(
     costs = np.array([cost for cost, _ in ended])
     best = ended[int(np.argmin(costs))][1]
     agreed = int(np.sum([np.max(np.abs(x - best) / table.scale) < 1e-3 for _, x in ended]))
-    return _told(table, best, given, before, starts, agreed)
+    return _describe_fit(table, best, given, before, starts, agreed)
 
 
 def _begins(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
@@ -338,7 +338,9 @@ def _names_of(measured: Any) -> list[str]:
     return [*axes, *(str(name) for name in measured.data_vars if str(name) not in axes)]
 
 
-def _told(table: _Table, x: Array, given: Mapping[str, float], before: Array, starts: int, agreed: int) -> HardpointFit:
+def _describe_fit(
+    table: _Table, x: Array, given: Mapping[str, float], before: Array, starts: int, agreed: int
+) -> HardpointFit:
     count = len(x)
     slopes, left = table.slopes(x)
     spread = table.spread_of(left, given, count)

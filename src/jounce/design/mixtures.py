@@ -59,12 +59,12 @@ def across_gap(shares: Array, known: set[tuple[int, int]]) -> Array | None:
     return None
 
 
-def achieved(goals: Array, best: Array, span: Array, mixture: Array) -> float:
+def achievement(goals: Array, best: Array, span: Array, mixture: Array) -> float:
     """How bad the relatively worst of the goals (less is better) is, seen along a mixture."""
     return float(np.max((goals - best) / (span * mixture)))
 
 
-def undominated(goals: Array, span: Array) -> list[int]:
+def undominated_rows(goals: Array, span: Array) -> list[int]:
     """Rows of goals (less is better) of which none is better in every goal than another, each once.
 
     >>> undominated(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))

@@ -156,13 +156,13 @@ def search(
     if all(one.violation > _ACTIVE for one in found):
         found.append(_one(problem, least_violation(problem), precision))
     best = min(found, key=lambda one: (max(one.violation, _ACTIVE), one.objective))
-    return _settled(problem, best) if problem.has_kinks else best
+    return _search_around(problem, best) if problem.has_kinks else best
 
 
 _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
 
 
-def _settled(problem: DesignProblem, found: SearchResult) -> SearchResult:
+def _search_around(problem: DesignProblem, found: SearchResult) -> SearchResult:
     """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
     from scipy.optimize import minimize
 

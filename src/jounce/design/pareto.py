@@ -20,7 +20,14 @@ from jounce.core.waiting import told
 from jounce.design.cases import Case
 from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
 from jounce.design.options import FREE, LIMITS, RANDOM_ROAD, ROAD_BAND, ROAD_SPEED
-from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
+from jounce.design.problem import (
+    DesignProblem,
+    Limit,
+    LimitGiven,
+    StationaryEvaluator,
+    combine_channels,
+    design_problem,
+)
 from jounce.design.springs import wheels_of
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
@@ -120,7 +127,7 @@ def best_dampers(
         searched = {number.path: float(value) for number, value in zip(problem.free, ended, strict=True)}
         present = {path: values[path] for path in closed}
         numbers = {
-            name: _judged(problem, metric, dampers)
+            name: _metric_with(problem, metric, dampers)
             for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
         }
         unit = problem.metrics[metric].unit
@@ -128,7 +135,7 @@ def best_dampers(
     return found[0], found[1]
 
 
-def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
+def _metric_with(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
     values = np.array([dampers[number.path] for number in problem.free])
     return problem.whole(metric, values)[0]
 
@@ -367,7 +374,7 @@ def _mark(
     assert isinstance(soft.evaluator, StationaryEvaluator)
     families = Families((LinearFamily(soft.rig.with_changes(changes)),))
     numbers = replace(soft.evaluator, families=families).at(np.zeros(0))
-    values = {role: combined(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
+    values = {role: combine_channels(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
     return ParetoMark(name, kind, {**_present(soft), **changes}, values["comfort"], values["holding"], values["travel"])
 
 

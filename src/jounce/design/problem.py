@@ -300,7 +300,7 @@ class Judge(Protocol):
 Evaluator = StationaryEvaluator | TrialEvaluator
 
 
-def combined(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
+def combine_channels(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
     """One number of all channels of a metric, and its slopes (numbers,): largest, or root mean square."""
     values, slopes = numbers
     if len(values) == 1:
@@ -378,7 +378,7 @@ class DesignProblem:
 
     def whole(self, text: str, values: Array) -> tuple[float, Array]:
         """One number of a metric over all its channels, and its slopes, SI."""
-        return combined(self.metrics[text], self.numbers(values)[text])
+        return combine_channels(self.metrics[text], self.numbers(values)[text])
 
     def objective(self, values: Array) -> tuple[float, Array]:
         """Objective over that of the start (1), and its slopes per SI unit of the free numbers."""
@@ -401,7 +401,7 @@ class DesignProblem:
             numbers, slopes = self.numbers(values)[limit.metric.text]
             channels: tuple[str, ...] = limit.metric.channels
             if limit.is_whole:
-                number, along = combined(limit.metric, (numbers, slopes))
+                number, along = combine_channels(limit.metric, (numbers, slopes))
                 numbers, slopes, channels = np.array([number]), along[:, None], (limit.metric.text,)
             for i, channel in enumerate(channels):
                 for side, bound, sign in (("lower", limit.lower, 1.0), ("upper", limit.upper, -1.0)):

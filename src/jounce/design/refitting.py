@@ -39,7 +39,7 @@ class Changes:
     pushrod: float = 0.0
 
 
-def refitted(rig: C, changes: Changes) -> C:
+def refit(rig: C, changes: Changes) -> C:
     """Give the rig put together again with some changes; those that do not go together are an ``AssemblyError``."""
     given = rig.hardpoints.given()
     shimmed = dict(given) | {name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()}
@@ -55,7 +55,7 @@ def refitted(rig: C, changes: Changes) -> C:
     places |= {name: triple(turn @ np.array(given[name]) + shift) for name in carried}
     for body, names in BODY_POINTS.items():
         if body.endswith("_arm") or body.startswith("link_"):
-            places |= _carried(rig, body, names, given, places)
+            places |= _carry_points(rig, body, names, given, places)
     if has_rocker(rig):
         places |= _rocker_places(rig, given, places, changes.pushrod)
     if rig.anti_roll_bar is not None:
@@ -171,14 +171,14 @@ def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tu
     angle = _least_angle(float((away - along)[2]), float(np.cross(axis, away)[2]), float(height))
     if angle is None:
         raise AssemblyError("the arm does not reach the height of its wheel centre", where="hardpoints.arm_inner")
-    about = np.array([_turned(one, axis, angle) for one in np.eye(3)]).T
+    about = np.array([_turn(one, axis, angle) for one in np.eye(3)]).T
     return about @ turn, middle + about @ (shift - middle)
 
 
 # what hangs on it -----------------------------------------------------------------------------------------------------
 
 
-def _carried(
+def _carry_points(
     rig: Corner, body: str, names: tuple[str, ...], before: Mapping[str, Triple], after: Mapping[str, Triple]
 ) -> dict[str, Triple]:
     """Points on an arm or a link: they turn with it and keep their distance from its outer end."""
@@ -201,7 +201,7 @@ def _rocker_places(
         found = f"{1e3 * longer:.4g} mm"
         raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=found)
     names = ("pushrod_inner", *points_on(rig, "rocker"))
-    return {name: triple(pivot + _turned(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
+    return {name: triple(pivot + _turn(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
 
 
 def _bar_places(rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> dict[str, Triple]:
@@ -217,7 +217,7 @@ def _bar_places(rig: Corner, before: Mapping[str, Triple], after: Mapping[str, T
     if turn is None:
         raise AssemblyError("the link of the anti-roll bar does not reach its arm", where="hardpoints.arb_arm_end")
     names = ("arb_arm_end", *(("arb_axis",) if stem else ()))
-    return {name: triple(pivot + _turned(np.array(before[name]) - pivot, axis, turn)) for name in names}
+    return {name: triple(pivot + _turn(np.array(before[name]) - pivot, axis, turn)) for name in names}
 
 
 def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None:
@@ -241,7 +241,7 @@ def _least_angle(a: float, b: float, needed: float) -> float | None:
     return cast(float, min(turns, key=abs))
 
 
-def _turned(away: Array, axis: Array, turn: float) -> Array:
+def _turn(away: Array, axis: Array, turn: float) -> Array:
     """A vector turned about an axis (rad)."""
     axis = axis / np.linalg.norm(axis)
     along = (away @ axis) * axis

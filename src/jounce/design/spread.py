@@ -22,7 +22,7 @@ from jounce.design.adjustments import SETTINGS, adjusted
 from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
-from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
+from jounce.design.refitting import Changes, has_rocker, refit, rod_lengths, rods, triple
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
@@ -189,7 +189,7 @@ def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: Ax
         settings.append(lengths)
     if not made:
         raise DescriptionError("no car goes together", where="spread", hint="Make its tolerances smaller.")
-    return _told(workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed)
+    return _describe_spread(workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed)
 
 
 class Workshop:
@@ -281,7 +281,7 @@ class Workshop:
         inner = {name: triple(np.array(given[name]) + away[name]) for name in self._inner}
         lengths = {name: length + away[f"{name} length"][0] for name, length in rod_lengths(self.rig).items()}
         shims = {name: away[name] for name in self._joints}
-        return refitted(base, Changes(inner, lengths, shims, longer))
+        return refit(base, Changes(inner, lengths, shims, longer))
 
     def adjusted(self, car: Corner, values: Array) -> tuple[Array, Array]:
         """Settings (m) that bring a car's curves as near to the drawing as they can, and its values then."""
@@ -312,7 +312,7 @@ class Workshop:
         return found
 
 
-def _told(
+def _describe_spread(
     workshop: Workshop, drawn: Array, made: Array, settled: Array, settings: Array, failed: int
 ) -> KinematicSpread:
     causes = workshop.causes(drawn)

@@ -211,7 +211,7 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
                 shift=shift / SAMPLE_RATE,
             )
         )
-    shifted_t, shifted_c = _shifted(t, c, shift)
+    shifted_t, shifted_c = _overlap(t, c, shift)
     scores = (
         corridor_score(t, c),
         max(0.0, 1.0 - abs(shift) / (LARGEST_SHIFT * t.size)),
@@ -288,7 +288,7 @@ def _rival(correlations: Array, best: int, middle: int) -> int | None:
     return None
 
 
-def _shifted(reference: Array, compared: Array, shift: int) -> tuple[Array, Array]:
+def _overlap(reference: Array, compared: Array, shift: int) -> tuple[Array, Array]:
     """What overlaps when the compared signal comes ``shift`` samples later."""
     if shift >= 0:
         return reference[: reference.size - shift], compared[shift:]
@@ -296,7 +296,7 @@ def _shifted(reference: Array, compared: Array, shift: int) -> tuple[Array, Arra
 
 
 def _correlation(reference: Array, compared: Array, shift: int) -> float:
-    t, c = _shifted(reference, compared, shift)
+    t, c = _overlap(reference, compared, shift)
     t, c = t - t.mean(), c - c.mean()
     size = float(np.sqrt((t @ t) * (c @ c)))
     return float(t @ c) / size if size > 0.0 else -1.0

@@ -133,7 +133,7 @@ def damper_law(
     """
     if name not in LAWS:
         raise unknown(str(name), LAWS, what="damper law")
-    law = _polynomial(motion, degree, odd) if name == "polynomial" else _described(name, motion)
+    law = _polynomial(motion, degree, odd) if name == "polynomial" else _law_of_rig_files(name, motion)
     if not law.hysteretic:
         return _with_offset(law, motion, friction)
     if friction:
@@ -146,7 +146,7 @@ def regularisation_velocity(motion: DamperMotion) -> float:
     return max(0.01 * motion.peak_velocity, 2.0 * motion.velocity_resolution)
 
 
-def _described(name: str, motion: DamperMotion) -> FittedLaw:
+def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
     """A law of rig files."""
     kind = _DESCRIBED[name]
 
@@ -227,7 +227,7 @@ def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArr
     return found, free
 
 
-def _coded(law: FittedLaw, shapes: Array) -> Array:
+def _encode(law: FittedLaw, shapes: Array) -> Array:
     """Shape parameters as the search sees them: logarithms, but for those that have a sign."""
     return np.array(
         [
@@ -237,7 +237,7 @@ def _coded(law: FittedLaw, shapes: Array) -> Array:
     )
 
 
-def _decoded(law: FittedLaw, coded: Array) -> Array:
+def _decode(law: FittedLaw, coded: Array) -> Array:
     return np.array(
         [
             value * bound if is_signed else math.exp(value)
@@ -255,20 +255,20 @@ def search(
     size = float(motion.force.std())
 
     def misfit(coded: Array) -> Array:
-        columns = law.columns(motion.displacement, motion.velocity, _decoded(law, coded))[used]
+        columns = law.columns(motion.displacement, motion.velocity, _decode(law, coded))[used]
         return np.asarray((columns @ _weights(law, columns, motion.force[used])[0] - motion.force[used]) / size)
 
     shapes, inside = law.starts[0], np.zeros(0, bool)
     if law.shapes:
-        low, high = _coded(law, law.bounds[0]), _coded(law, law.bounds[1])
-        starts = [np.clip(_coded(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
+        low, high = _encode(law, law.bounds[0]), _encode(law, law.bounds[1])
+        starts = [np.clip(_encode(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
         starts.sort(key=lambda start: float((misfit(start) ** 2).sum()))
         found = [
             least_squares(misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60)
             for start in starts[:4]
         ]
         best = min(found, key=lambda one: float(one.cost))
-        shapes = _decoded(law, best.x)
+        shapes = _decode(law, best.x)
         inside = (best.x > low + 1e-3) & (best.x < high - 1e-3)
     columns = law.columns(motion.displacement, motion.velocity, shapes)[used]
     weights, free = _weights(law, columns, motion.force[used])

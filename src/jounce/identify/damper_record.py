@@ -207,7 +207,7 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
     """Derivative of a displacement (m/s), over as many samples as its noise asks for; ``plain`` is over three."""
     steps = np.diff(t)
     step = float(np.median(steps))
-    turns = np.diff(zigzag(_calmed(x), 0.05 * float(np.ptp(x))))[1:]
+    turns = np.diff(zigzag(_smooth(x), 0.05 * float(np.ptp(x))))[1:]
     widest = int(_WIDEST * turns.min()) if len(turns) else 0
     noise = max(noise_of(x), quantum_of(x) / math.sqrt(12.0))
     if float(np.ptp(steps)) > 0.01 * step:
@@ -234,7 +234,7 @@ _CALM, _NOISY = 1e-4, 1e-2  # of the mean square of a velocity: noise that does 
 _WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic follows the motion
 
 
-def _calmed(x: Array) -> Array:
+def _smooth(x: Array) -> Array:
     """Average over a hundredth of a cycle or so, in which turning points are looked for."""
     width = max(1, len(x) // 2000) | 1
     return np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")

@@ -100,10 +100,10 @@ def _smooth(signal: Array, noise: float) -> Array:
     """Average over a few samples when the noise exceeds 1 % of the range."""
     share = noise / max(float(np.ptp(signal)), 1e-300)
     width = int(np.clip(1 + 2 * round(100.0 * share), 1, max(1, len(signal) // 50)))
-    return _averaged(signal, width)
+    return _moving_average(signal, width)
 
 
-def _averaged(signal: Array, width: int) -> Array:
+def _moving_average(signal: Array, width: int) -> Array:
     """Moving average over an odd number of samples."""
     if width < 3:
         return signal
@@ -120,7 +120,7 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
     coarse = zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
     half = _half_period(time, coarse)
     width = max(1, round(half / 12.0 / float(np.median(np.diff(time)))))
-    smooth = _averaged(signal, width | 1)
+    smooth = _moving_average(signal, width | 1)
     turns = zigzag(smooth, max(8.0 * noise / math.sqrt(width), 2e-4 * reach))
     turns = [0, *(turn for turn in turns[1:] if turn >= coarse[1] - width)]
     refined = [(float(time[turns[0]]), float(smooth[turns[0]]))]
@@ -336,7 +336,7 @@ def _fit(
             found=f"{len(t)} samples between turning points",
             hint="Choose the part with a time window (from, to).",
         )
-    thin = _thinned(t, starts[0])
+    thin = _sample_step(t, starts[0])
     if len(starts) > 1 and thin > 1:  # the starts are held against each other on part of the samples
         starts = [_fit(t[::thin], signal[::thin], starts, quantity, free)[0]]
     reach, which = float(np.ptp(signal)), np.array(free)
@@ -358,7 +358,7 @@ def _fit(
     return values, replace(spread, covariance=covariance), residual
 
 
-def _thinned(t: Array, start: Array) -> int:
+def _sample_step(t: Array, start: Array) -> int:
     """How many samples a step of a search may take: at least 40 a cycle stay, and some thousands in all."""
     cycle = 2.0 * math.pi / float(start[0]) / float(np.median(np.diff(t)))
     return max(1, min(int(cycle / 40.0), len(t) // 2000))
@@ -571,7 +571,7 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 # fit ------------------------------------------------------------------------------------------------------------------
 
 
-def _labelled(before: str, word: str, behind: str = "") -> Callable[[Any], str]:
+def _label_in_motion(before: str, word: str, behind: str = "") -> Callable[[Any], str]:
     """Label with a word of the motion, such as mass or inertia."""
     return lambda decay: f"{before} {in_motion(word)(decay)}{behind}"
 
@@ -582,12 +582,13 @@ class DecayEstimates(Shown):
 
     damping_ratio: Annotated[Estimate, Shows("viscous damping ratio", "1")]
     damping_coefficient: Annotated[Estimate, Shows("viscous damping coefficient", in_motion("damping"))]
-    coulomb_force: Annotated[Estimate, Shows(_labelled("dry friction", "force_word"), in_motion("force"))]
+    coulomb_force: Annotated[Estimate, Shows(_label_in_motion("dry friction", "force_word"), in_motion("force"))]
     quadratic_drag: Annotated[Estimate | None, Shows("quadratic drag", in_motion("drag"))]
     natural_frequency_hz: Annotated[Estimate, Shows("natural frequency", "Hz")]
     equilibrium: Annotated[Estimate | None, Shows("equilibrium position", in_motion("deflection"))]
     stiffness: Annotated[
-        Estimate, Shows(_labelled("stiffness from", "inertia_word", " and natural frequency"), in_motion("stiffness"))
+        Estimate,
+        Shows(_label_in_motion("stiffness from", "inertia_word", " and natural frequency"), in_motion("stiffness")),
     ]
     logarithmic_decrement: Annotated[Estimate, Shows("logarithmic decrement (friction neglected, for comparison)", "1")]
 
@@ -746,7 +747,7 @@ def fit_decay(
         time = clock_of([displacement], where=name)
     mass = _inertia(mass, inertia, motion, quantity, name)
     stiffness = None if stiffness is None else as_number(stiffness, motion.stiffness, where=f"{name}: stiffness")
-    t, signal = _checked(time, displacement, stiffness, quantity, name)
+    t, signal = _check_record(time, displacement, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
     t, signal, logged = without_dropouts(t, signal, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)
@@ -854,8 +855,8 @@ def _read_otherwise(
                 "identify.decay_of_other_quantity",
                 name,
                 1.0 / shares[other],
-                other=_spaced(other),
-                quantity=_spaced(quantity),
+                other=_in_words(other),
+                quantity=_in_words(quantity),
                 times=1.0 / shares[other],
             )
         ]
@@ -875,7 +876,7 @@ def _read_otherwise(
     return []
 
 
-def _spaced(quantity: Quantity) -> str:
+def _in_words(quantity: Quantity) -> str:
     """A quantity as people write it."""
     return quantity.replace("_", " ")
 
@@ -1012,7 +1013,7 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
 _AN = {"mass": "a", "inertia": "an"}
 
 
-def _checked(
+def _check_record(
     time: ArrayLike, record: ArrayLike, stiffness: float | None, quantity: Quantity, name: str
 ) -> tuple[Array, Array]:
     si = motion_of(quantity).units[order_of(quantity)]

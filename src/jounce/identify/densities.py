@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.types import Array
-from jounce.identify.discrepancy import Calibration
+from jounce.identify.discrepancy import ModelErrorFit
 from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals
 from jounce.identify.log_density import Region
 from jounce.identify.settings import UpdateSettings
@@ -37,7 +37,7 @@ class Basis:
 
     trials: tuple[FitTrial, ...]
     free: tuple[FreeParameter, ...]
-    calibration: Calibration | None
+    calibration: ModelErrorFit | None
     covariance: Array
     values: Mapping[str, float] = field(default_factory=dict)
     settings: UpdateSettings = field(default_factory=UpdateSettings)
@@ -100,12 +100,12 @@ class _Climbed:
 class DoubtDensity:
     """Log density of scaled parameters with all doubts integrated out around their best values."""
 
-    def __init__(self, calibration: Calibration) -> None:
-        self.found = calibration
-        one, state = calibration.one, calibration.state
+    def __init__(self, fit: ModelErrorFit) -> None:
+        self.found = fit
+        one, state = fit.problem, fit.state
         self.size = len(one.free)
         self.best = state.theta
-        information, _, _ = self._linear(calibration.blocks, state)
+        information, _, _ = self._linear(fit.blocks, state)
         p = self.size
         self.information = information
         self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
@@ -118,17 +118,17 @@ class DoubtDensity:
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
         self.beside = [dict(run.beside) for run in one.runs]
-        self.settled = np.zeros(len(information) - p)  # what the doubts had still to go when the calibration ended
+        self.settled = np.zeros(len(information) - p)  # what the doubts had still to go when the fit ended
         try:
-            self.settled = self._climbed(state, calibration.blocks, _SETTLING).step
+            self.settled = self._climbed(state, fit.blocks, _SETTLING).step
             self.beside = [dict(run.beside) for run in one.runs]
         except SimulationError:  # then every point has that way to go
             pass
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
-        """Information and score of all unknowns, and the sum of squares, with the calibration's variances kept."""
+        """Information and score of all unknowns, and the sum of squares, with the fit's variances kept."""
         found = self.found
-        system = found.one.system(blocks, state)
+        system = found.problem.system(blocks, state)
         information, score, square = system.beforehand()
         for name, variance in found.variance.items():
             information = information + system.normal[name][0] / variance
@@ -142,11 +142,11 @@ class DoubtDensity:
         found, p = self.found, self.size
         moved = x - found.state.theta
         step = np.concatenate([moved, self.settled + self.follow @ moved])
-        for run, beside in zip(found.one.runs, self.beside, strict=True):
+        for run, beside in zip(found.problem.runs, self.beside, strict=True):
             run.beside = beside  # not those of the point before: the density is a function of x alone
         try:
-            state = found.one.moved(found.state, step, found.blocks, 1.0)
-            at = self._climbed(state, found.one.blocks(state)[0], _CLIMBS)
+            state = found.problem.moved(found.state, step, found.blocks, 1.0)
+            at = self._climbed(state, found.problem.blocks(state)[0], _CLIMBS)
         except SimulationError:
             return None
         inner = at.information[p:, p:]
@@ -161,7 +161,7 @@ class DoubtDensity:
         the run before, and come to rest with the doubts. Where wheels lift off, or doubts that act alike trade places,
         the sum of squares may rise on the way: the best of all climbs counts.
         """
-        one, p = self.found.one, self.size
+        one, p = self.found.problem, self.size
         information, score, square = self._linear(blocks, state)
         step, best = np.zeros(len(information) - p), None
         for left in range(climbs, -1, -1):

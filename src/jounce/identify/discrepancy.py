@@ -193,11 +193,11 @@ class _State:
 class _Run:
     """One trial with its richer model, ready to be simulated for any state."""
 
-    def __init__(self, prepared: Prepared, calibration: CalibrationProblem) -> None:
-        self.prepared, self.all = prepared, calibration
+    def __init__(self, prepared: Prepared, problem: ModelErrorProblem) -> None:
+        self.prepared, self.all = prepared, problem
         self.values = prepared.source.rig.parameters()
-        richer = calibration.richer.of(prepared.source.rig)
-        self.compiled = calibration.compile(richer, prepared.source.trial)
+        richer = problem.richer.of(prepared.source.rig)
+        self.compiled = problem.compile(richer, prepared.source.trial)
         self.base = richer.parameters()
         names = self.compiled.output_names
         self.channels = [replace(channel, column=names.index(channel.name)) for channel in prepared.channels]
@@ -252,7 +252,7 @@ class _Run:
         time = track.edges * self.speed / (self.speed + speed)
         into = np.clip((track.edges - begin) / (end - begin), 0.0, 1.0)
         time = time + slowing * (0.5 * into**2 * (end - begin) + np.maximum(track.edges - end, 0.0))
-        return _moved(track, time)
+        return _stretch(track, time)
 
     def _command(self, given: Segments, inputs: Mapping[str, float]) -> Segments:
         """Force beside the strut: one that was measured, and what the last simulation says of those in doubt."""
@@ -289,7 +289,7 @@ class _Run:
         return solution
 
 
-def slowed(table: Array, rate: float, constant: float, typical: float) -> Array:
+def low_passed_by(table: Array, rate: float, constant: float, typical: float) -> Array:
     """Signals behind a second-order low pass with a time constant of ``constant`` (s), one over its angular corner.
 
     What it does is taken as proportional to the constant, as it is of one of a ``typical`` constant (s), or of the
@@ -304,7 +304,7 @@ _SHORTEST_PATCH = 5e-4  # m
 _FINEST, _COARSEST = 5e-4, 3e-3  # m
 
 
-class CalibrationProblem:
+class ModelErrorProblem:
     """The search: linearise, weigh, step."""
 
     def __init__(
@@ -342,9 +342,9 @@ class CalibrationProblem:
                 mean, deviation = known[item.path]
                 self.priors[i] = item.scaled(mean), item.half_range / deviation
 
-    def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> CalibrationProblem:
+    def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> ModelErrorProblem:
         """The same doubts over one trial."""
-        return CalibrationProblem([trial], self.free, settings, found_beside=self.beside, richer=self.richer)
+        return ModelErrorProblem([trial], self.free, settings, found_beside=self.beside, richer=self.richer)
 
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
         """Compile a rig with the slopes of all doubts, and with an actuator for forces that are no law's."""
@@ -507,7 +507,11 @@ class CalibrationProblem:
         """Reading of a channel, and its derivatives, through its sensor as it may be."""
         table = prepared.table(self._sensed(channel, xi), solution)
         name = f"{channel.name} bandwidth"
-        return slowed(table, prepared.rate, self.value(name, xi), self.doubt.bandwidth) if name in self.place else table
+        return (
+            low_passed_by(table, prepared.rate, self.value(name, xi), self.doubt.bandwidth)
+            if name in self.place
+            else table
+        )
 
     def _sensed(self, channel: Channel, xi: Array) -> Channel:
         """The channel with its sensor as it may be."""
@@ -691,13 +695,13 @@ def noise_variance(residual: Array) -> float:
 
 
 @dataclass(frozen=True)
-class Calibration:
+class ModelErrorFit:
     """Where the richer model ended: its unknowns, all blocks there, and the linear equations with their solution.
 
     ``first`` are the mean squares of the residuals of each channel at the start, SI.
     """
 
-    one: CalibrationProblem
+    problem: ModelErrorProblem
     state: _State
     blocks: list[_ChannelResiduals]
     states: list[States]
@@ -708,20 +712,20 @@ class Calibration:
     @property
     def variance(self) -> dict[str, float]:
         """Variance with which the residuals of each channel count: noise, and the rest as few observations (SI)."""
-        return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.one.names}
+        return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.problem.names}
 
     @property
     def rest(self) -> dict[str, float]:
         """What nothing explains of each channel, as a share (1) of the energy of the simulated signal."""
-        power: dict[str, list[float]] = {name: [] for name in self.one.names}
+        power: dict[str, list[float]] = {name: [] for name in self.problem.names}
         for block in self.blocks:
-            channel = next(one for one in self.one.runs[block.trial].channels if one.name == block.channel)
+            channel = next(one for one in self.problem.runs[block.trial].channels if one.name == block.channel)
             simulated = channel.measured - block.residual
             power[block.channel].append(float(np.sum((simulated - simulated[0]) ** 2)))
         return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
 
 
-def calibrate(
+def fit_model_error(
     trials: Sequence[FitTrial],
     free: Sequence[FreeParameter],
     start: Mapping[str, float],
@@ -730,7 +734,7 @@ def calibrate(
     lags: Mapping[str, float],
     priors: Mapping[str, tuple[float, float]] | None = None,
     found_beside: Mapping[str, float] | None = None,
-) -> Calibration:
+) -> ModelErrorFit:
     """Find the parameters again with all doubts as further unknowns, from where an update ended.
 
     ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
@@ -738,7 +742,7 @@ def calibrate(
     found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
     be off (1, of the speed or the logarithm of the corner): it is found again with all else.
     """
-    one = CalibrationProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
+    one = ModelErrorProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
     state = _State(
         np.array([item.scaled(start[item.path]) for item in free]),
         np.zeros(len(one.nuisances)),
@@ -747,14 +751,14 @@ def calibrate(
     )
     place = _SearchPoint.of(one, state)
     first = _mean_squares(place.blocks)
-    best = _settled(one, place)
+    best = _step_to_rest(one, place)
     if best.rest_of(first) > _POOR:
-        for step in _elsewhere(one, best):
+        for step in _other_steps(one, best):
             with suppress(SimulationError):
-                best = min(best, _settled(one, best.after(step)), key=lambda place: place.cost)
+                best = min(best, _step_to_rest(one, best.after(step)), key=lambda place: place.cost)
         for run, states in zip(one.runs, best.states, strict=True):
             run.beside = run.forces(states)
-    return Calibration(one, best.state, best.blocks, best.states, best.system, best.step, first)
+    return ModelErrorFit(one, best.state, best.blocks, best.states, best.system, best.step, first)
 
 
 _POOR = 0.2
@@ -775,20 +779,20 @@ def _share_left(found: _Step, first: Mapping[str, float], without: float = 0.0) 
 class _SearchPoint:
     """A state of the search with what is left there."""
 
-    one: CalibrationProblem
+    problem: ModelErrorProblem
     state: _State
     blocks: list[_ChannelResiduals]
     states: list[States]
 
     @classmethod
-    def of(cls, one: CalibrationProblem, state: _State) -> _SearchPoint:
+    def of(cls, one: ModelErrorProblem, state: _State) -> _SearchPoint:
         """Simulate all trials."""
         return cls(one, state, *one.blocks(state))
 
     @cached_property
     def system(self) -> _System:
         """Linear equations of the next step."""
-        return self.one.system(self.blocks, self.state)
+        return self.problem.system(self.blocks, self.state)
 
     @cached_property
     def step(self) -> _Step:
@@ -799,8 +803,8 @@ class _SearchPoint:
     def cost(self) -> float:
         """What the search makes small: its weights, noise and the rest as few observations, are the slope of this."""
         noise, energy, _ = self.system.left(np.zeros(len(self.system.prior)))
-        trials = len(self.one.runs)
-        rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.one.names)
+        trials = len(self.problem.runs)
+        rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.problem.names)
         return float(trials * OBSERVATIONS * rest + self.system.beforehand()[2])
 
     def rest_of(self, first: Mapping[str, float]) -> float:
@@ -809,11 +813,11 @@ class _SearchPoint:
 
     def after(self, step: Array) -> _SearchPoint:
         """The place a step away, or as much of it as doubts may move at once and as can be simulated."""
-        p = len(self.one.free)
+        p = len(self.problem.free)
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
             try:
-                return _SearchPoint.of(self.one, self.one.moved(self.state, step, self.blocks, share))
+                return _SearchPoint.of(self.problem, self.problem.moved(self.state, step, self.blocks, share))
             except SimulationError as error:
                 share, last = 0.5 * share, error
         raise last
@@ -823,7 +827,7 @@ _LONGEST = 3.0  # prior standard deviations that a step may go
 _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
-def _settled(one: CalibrationProblem, place: _SearchPoint) -> _SearchPoint:
+def _step_to_rest(one: ModelErrorProblem, place: _SearchPoint) -> _SearchPoint:
     """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
     p, best = len(one.free), place
     for _ in range(_ROUNDS):
@@ -841,7 +845,7 @@ def _settled(one: CalibrationProblem, place: _SearchPoint) -> _SearchPoint:
 _RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
 
 
-def _elsewhere(one: CalibrationProblem, place: _SearchPoint) -> list[Array]:
+def _other_steps(one: ModelErrorProblem, place: _SearchPoint) -> list[Array]:
     """Steps to where a search may end better: all doubts set free, and the group that would explain most if it were.
 
     What nothing explains weakens the data, so that doubts stay with their priors and go on explaining nothing.
@@ -878,11 +882,11 @@ class Readings:
     freedom: Array
 
 
-def readings_of(calibration: Calibration) -> Readings:
+def readings_of(fit: ModelErrorFit) -> Readings:
     """Read the parts off a richer model where it ended."""
-    one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
+    one, state, system, found = fit.problem, fit.state, fit.system, fit.step
     p, q, count = len(one.free), len(one.nuisances), len(one.runs)
-    laws = Laws(one.richer, calibration.states)
+    laws = Laws(one.richer, fit.states)
     run = one.runs[0]
 
     def readings(x: Array) -> Array:
@@ -901,18 +905,18 @@ def readings_of(calibration: Calibration) -> Readings:
     return Readings(values, slopes, errors, freedom)
 
 
-def reported(calibration: Calibration, bench: Mapping[str, Estimate]) -> Discrepancy:
-    """Tell what a calibration found; ``bench`` are values of component tests (SI) to hold it against."""
-    one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
-    p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), calibration.first
-    read = readings_of(calibration)
+def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrepancy:
+    """Tell what a fit found; ``bench`` are values of component tests (SI) to hold it against."""
+    one, state, system, found = fit.problem, fit.state, fit.system, fit.step
+    p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), fit.first
+    read = readings_of(fit)
     values, slopes, errors, freedom = read.values, read.slopes, read.errors, read.freedom
     covariance = found.covariance[: p + q, : p + q]
     shares = _shares(one, system, found, slopes[0], errors[0])
     after = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     nuisances = _nuisances(one, state, after[p:])
     unexplained = {n: found.energy[n] / (found.energy[n] + _length(system, n) * found.noise[n]) for n in one.names}
-    reducer, reduced, strays = _freed(one, state, system, found, slopes, errors)
+    reducer, reduced, strays = _free_group_by_group(one, state, system, found, slopes, errors)
     estimates = {
         item.path: (
             estimate(values[0, i], errors[0, i], freedom[0, i]),
@@ -954,8 +958,8 @@ def reported(calibration: Calibration, bench: Mapping[str, Estimate]) -> Discrep
                 contradicted,
                 one.richer.values.get("strut.angle", 0.0),
             ),
-            *_one_sided(calibration),
-            *_undoubted(one.richer),
+            *_one_sided(fit),
+            *_undoubted_laws_finding(one.richer),
             *scale_of_masses(
                 [item.path for item in one.free],
                 one.names,
@@ -972,9 +976,9 @@ def _length(system: _System, name: str) -> float:
     return float(np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name]))
 
 
-def _nuisances(one: CalibrationProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
+def _nuisances(one: ModelErrorProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
     found = {}
-    xi, error = _unwhitened(one, state.xi), after
+    xi, error = _in_prior_deviations(one, state.xi), after
     for i, nuisance in enumerate(one.nuisances):
         found[nuisance.name] = NuisanceEstimate(
             nuisance.group, nuisance.unit, nuisance.mean, nuisance.deviation,
@@ -983,7 +987,7 @@ def _nuisances(one: CalibrationProblem, state: _State, after: Array) -> dict[str
     return found
 
 
-def _unwhitened(one: CalibrationProblem, xi: Array) -> Array:
+def _in_prior_deviations(one: ModelErrorProblem, xi: Array) -> Array:
     """Doubts in their own prior standard deviations: the damper's forces are correlated."""
     knotted, found = one.richer.whitened(), xi.copy()
     if knotted is not None:
@@ -992,7 +996,7 @@ def _unwhitened(one: CalibrationProblem, xi: Array) -> Array:
     return found
 
 
-def _groups(one: CalibrationProblem, size: int) -> dict[str, Mask]:
+def _groups(one: ModelErrorProblem, size: int) -> dict[str, Mask]:
     """Mask of the unknowns of each group of doubts."""
     p, q = len(one.free), len(one.nuisances)
     own = (size - p - q) // max(len(one.runs), 1)
@@ -1006,7 +1010,7 @@ def _groups(one: CalibrationProblem, size: int) -> dict[str, Mask]:
 
 
 def _shares(
-    one: CalibrationProblem, system: _System, found: _Step, slopes: Array, errors: Array
+    one: ModelErrorProblem, system: _System, found: _Step, slopes: Array, errors: Array
 ) -> dict[str, dict[str, float]]:
     """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
     p, q = len(one.free), len(one.nuisances)
@@ -1044,8 +1048,8 @@ class _Stray:
     draws: Array  # (p,): standard errors of the parameter, the reading that is drawn more
 
 
-def _freed(
-    one: CalibrationProblem, state: _State, system: _System, found: _Step, slopes: Array, errors: Array
+def _free_group_by_group(
+    one: ModelErrorProblem, state: _State, system: _System, found: _Step, slopes: Array, errors: Array
 ) -> tuple[str, float, dict[str, _Stray]]:
     """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
 
@@ -1068,8 +1072,8 @@ def _freed(
         is_pulled = group in _STATED and np.any(np.abs(state.xi[mask[p : p + q]]) > _PULLED)
         if (left > _WORTH * now and not is_pulled) or group in _WHOLE_RANGE:
             continue
-        to = _unwhitened(one, state.xi + freer.step[p : p + q])
-        error = _unwhitened(one, np.sqrt(np.diag(freer.covariance)[p : p + q]))
+        to = _in_prior_deviations(one, state.xi + freer.step[p : p + q])
+        error = _in_prior_deviations(one, np.sqrt(np.diag(freer.covariance)[p : p + q]))
         draws = np.abs(slopes @ freer.step[: p + q]) / np.maximum(errors, 1e-300)
         for i in np.flatnonzero(mask[p : p + q]):
             if abs(to[i]) > max(FAR, _SIGNIFICANT * abs(error[i])):
@@ -1143,14 +1147,14 @@ def _law_estimate(
     return LawEstimate(value, (low, high), component, effective, not why, why, shares)
 
 
-def _one_sided(calibration: Calibration) -> list[Finding]:
+def _one_sided(fit: ModelErrorFit) -> list[Finding]:
     """Say where a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
 
     Half the sum of the forces at both signs of a velocity is zero for every law that is the same on both sides,
     however it bends. The line through these, weighed by their covariance, is by how much (N s/m) bump is firmer than
     the fitted coefficient, and rebound softer; the finding's value is the difference of both.
     """
-    one = calibration.one
+    one = fit.problem
     knotted, coefficient = one.richer.whitened(), one.richer.rig.parameters().get(_LINE)
     if knotted is None or coefficient is None:
         return []
@@ -1159,10 +1163,10 @@ def _one_sided(calibration: Calibration) -> list[Finding]:
     speeds = speeds[speeds > 0.0]
     seen = 0.5 * (root + root[::-1])[len(speeds) :]
     held = [len(one.free) + i for i in places]
-    weighed = np.linalg.solve(seen @ calibration.step.covariance[np.ix_(held, held)] @ seen.T, speeds)
+    weighed = np.linalg.solve(seen @ fit.step.covariance[np.ix_(held, held)] @ seen.T, speeds)
     sure = float(speeds @ weighed)
-    more = float(weighed @ seen @ calibration.state.xi[places]) / sure
-    line = one.runs[0].fitted(calibration.state.theta).get(_LINE, coefficient)
+    more = float(weighed @ seen @ fit.state.xi[places]) / sure
+    line = one.runs[0].fitted(fit.state.theta).get(_LINE, coefficient)
     if abs(more) < max(FAR / np.sqrt(sure), _UNLIKE * line):
         return []
     firm, soft = ("bump", "rebound") if more > 0.0 else ("rebound", "bump")
@@ -1176,7 +1180,7 @@ _LINE = "strut.damper.coefficient"
 _UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as alike as dampers are
 
 
-def _undoubted(richer: ExtendedRig) -> list[Finding]:
+def _undoubted_laws_finding(richer: ExtendedRig) -> list[Finding]:
     """Say which laws the interval takes for right."""
     laws = richer.undoubted()
     if not laws:
@@ -1192,7 +1196,7 @@ def _undoubted(richer: ExtendedRig) -> list[Finding]:
 
 
 def _findings(
-    one: CalibrationProblem, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
+    one: ModelErrorProblem, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
     contradicted: Mapping[str, str], unexplained: Mapping[str, float], reducer: str, reduced: float,
 ) -> list[Finding]:  # fmt: skip
     found = []
@@ -1238,7 +1242,7 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
     return RideExtent(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
 
 
-def _moved(track: Segments, edges: Array) -> Segments:
+def _stretch(track: Segments, edges: Array) -> Segments:
     """The same pieces between other edges, stretched to fit."""
     stretch = np.diff(track.edges) / np.diff(edges)
     table = track.coefficients.copy()
@@ -1255,18 +1259,18 @@ def _moved(track: Segments, edges: Array) -> Segments:
 class DrawnRun:
     """A trial, fitted or not, that is simulated with the richer model for draws of its unknowns."""
 
-    def __init__(self, found: Calibration, one: CalibrationProblem, place: int, fitted: int | None) -> None:
-        self.found, self.one, self.run, self.fitted = found, one, one.runs[place], fitted
+    def __init__(self, found: ModelErrorFit, one: ModelErrorProblem, place: int, fitted: int | None) -> None:
+        self.found, self.problem, self.run, self.fitted = found, one, one.runs[place], fitted
         self.channels, self.rate = self.run.channels, self.run.prepared.rate
         self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
-        state = self._state(found.state.theta, np.zeros(len(found.step.step) - len(found.one.free)), None)
+        state = self._state(found.state.theta, np.zeros(len(found.step.step) - len(found.problem.free)), None)
         solution = self.run.simulate(self.run.compiled, self.run.numbers(state), one.inputs(state, 0))
         self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
 
     def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
         """Unknowns of this trial; those that no fitted trial knows are drawn from their priors, or are as meant."""
-        found, one = self.found, self.one
-        q, names = len(found.one.nuisances), found.one.place
+        found, one = self.found, self.problem
+        q, names = len(found.problem.nuisances), found.problem.place
         known = found.state.xi + step[:q]
 
         def drawn(count: int) -> Array:
@@ -1277,43 +1281,43 @@ class DrawnRun:
             if nuisance.name in names:
                 xi[i] = known[names[nuisance.name]]
         if self.fitted is not None:
-            mine = step[q:].reshape(len(found.one.runs), -1)[self.fitted]
-            own = found.state.own[self.fitted] + mine[: len(found.one.own)]
+            mine = step[q:].reshape(len(found.problem.runs), -1)[self.fitted]
+            own = found.state.own[self.fitted] + mine[: len(found.problem.own)]
         return _State(theta, xi, own[None, :], np.array([self._lag(step, rng)]))
 
     def _lag(self, step: Array, rng: np.random.Generator | None) -> float:
         """Lag (s) of the recording where lags are not fitted; where they are, that which fits best is looked for."""
         found, unsure = self.found, _LAG_UNSURE / self.rate
-        if self.one.align:
+        if self.problem.align:
             return 0.0
         if self.fitted is None:
             return 0.0 if rng is None else unsure * float(rng.normal())
-        mine = step[len(found.one.nuisances) :].reshape(len(found.one.runs), -1)[self.fitted]
+        mine = step[len(found.problem.nuisances) :].reshape(len(found.problem.runs), -1)[self.fitted]
         return float(found.state.lags[self.fitted] + unsure * mine[-1])
 
     def drawn(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
         """Reading of each channel for scaled parameters and a step of the doubts; where lags are fitted, without."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
-        solution = self.run.simulate(plain, self.run.numbers(state), self.one.inputs(state, 0))
+        solution = self.run.simulate(plain, self.run.numbers(state), self.problem.inputs(state, 0))
         prepared, readings = replace(self.run.prepared, compiled=plain), {}
         for channel in self.channels:
-            table = self.one.read(prepared, channel, solution, state.xi)
+            table = self.problem.read(prepared, channel, solution, state.xi)
             table = shift_signals(table, prepared.rate, float(state.lags[0]))
             readings[channel.name] = channel.offset(table, np.zeros(len(table)))[0][:, 0]
         return readings
 
 
-def extended_runs(found: Calibration, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
+def extended_runs(found: ModelErrorFit, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
     """Trials ready to be simulated with the richer model, fitted ones with what is known of each."""
-    places = {run.prepared.source.name: i for i, run in enumerate(found.one.runs)}
+    places = {run.prepared.source.name: i for i, run in enumerate(found.problem.runs)}
     for trial in trials:
-        one = found.one.with_trial(trial, replace(found.one.settings, tolerance=1e-6))
+        one = found.problem.with_trial(trial, replace(found.problem.settings, tolerance=1e-6))
         yield DrawnRun(found, one, 0, places.get(trial.name))
 
 
 def candidate_information(
-    found: Calibration,
+    found: ModelErrorFit,
     trial: FitTrial,
     noise: Mapping[str, float],
     rest: Mapping[str, float],
@@ -1323,11 +1327,11 @@ def candidate_information(
     ``noise`` is the variance of each channel's noise (SI), ``rest`` what nothing explains, over the energy of the
     signal (1). What is in doubt of this trial alone is integrated out.
     """
-    settings = replace(found.one.settings, weights="printed", tolerance=found.one.tolerance)
-    one = found.one.with_trial(trial, settings)
-    p, q = len(one.free), len(found.one.nuisances)
+    settings = replace(found.problem.settings, weights="printed", tolerance=found.problem.tolerance)
+    one = found.problem.with_trial(trial, settings)
+    p, q = len(one.free), len(found.problem.nuisances)
     xi = np.zeros(len(one.nuisances))
-    places = {i: found.one.place[n.name] for i, n in enumerate(one.nuisances) if n.name in found.one.place}
+    places = {i: found.problem.place[n.name] for i, n in enumerate(one.nuisances) if n.name in found.problem.place}
     for i, place in places.items():
         xi[i] = found.state.xi[place]
     state = _State(found.state.theta, xi, np.zeros((1, len(one.own))), np.zeros(1))

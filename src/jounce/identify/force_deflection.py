@@ -371,7 +371,7 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     if abs(gained) < _NO_DRIFT * float(force.max()):
         return []
     if gained < 0.0:  # hysteresis is widest on the way, a drift at the end
-        up, down = _sorted(*trial.branch("loading")), _sorted(*trial.branch("unloading"))
+        up, down = _sort_by_deflection(*trial.branch("loading")), _sort_by_deflection(*trial.branch("unloading"))
         middle = 0.5 * float(deflection.min() + deflection.max())
         if float(np.interp(middle, *up) - np.interp(middle, *down)) > -_ON_THE_WAY * gained:
             return []
@@ -409,7 +409,7 @@ def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
     """
     if not trial.has_unloading():
         return None, None
-    up, down = _sorted(*trial.branch("loading")), _sorted(*trial.branch("unloading"))
+    up, down = _sort_by_deflection(*trial.branch("loading")), _sort_by_deflection(*trial.branch("unloading"))
     low, high = max(up[0][0], down[0][0]), min(up[0][-1], down[0][-1])
     grid = np.union1d(np.union1d(up[0], down[0]), [low, high])
     grid = grid[(grid >= low) & (grid <= high)]
@@ -418,13 +418,13 @@ def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
     return energy, energy / (2.0 * math.pi * work) if work > 0.0 else None
 
 
-def _sorted(deflection: Array, force: Array) -> tuple[Array, Array]:
+def _sort_by_deflection(deflection: Array, force: Array) -> tuple[Array, Array]:
     """Order by deflection, averaging points at the same deflection."""
     values, inverse = np.unique(deflection, return_inverse=True)
     return values, np.bincount(inverse, force) / np.bincount(inverse)
 
 
-def renamed(trials: list[ForceDeflectionTrial]) -> list[ForceDeflectionTrial]:
+def number_namesakes(trials: list[ForceDeflectionTrial]) -> list[ForceDeflectionTrial]:
     """Number trials that share a name, so that messages can tell them apart."""
     names = [trial.name for trial in trials]
     return [

@@ -159,7 +159,7 @@ class LogDensity:
         return np.where(self.region.has(u), self.polynomial(u), -np.inf)
 
 
-def fitted(exact: Exact, region: Region, seed: int) -> LogDensity:
+def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
     """Fit a log density by exact values and slopes, and hold it against fresh draws; more points where it is off."""
     count = len(region.centre)
     first = next((degree for most, degree in _DEGREES if count <= most), 2)

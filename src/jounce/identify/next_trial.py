@@ -185,7 +185,7 @@ def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, co
     return NextTrials(counted, now, units, tuple(every), tuple(series), tuple(findings))
 
 
-def _recorded(candidate: Candidate, basis: Basis) -> FitTrial:
+def _simulated_recording(candidate: Candidate, basis: Basis) -> FitTrial:
     """The trial as if it had been recorded: the fitted channels and rate, with what the rig would do."""
     from jounce.simulation import simulate
 
@@ -215,7 +215,7 @@ class _NoiseOnly:
 
     def information(self, candidate: Candidate) -> Array:
         """What a trial adds."""
-        return self.weight * self._plain(_recorded(candidate, self.basis))
+        return self.weight * self._plain(_simulated_recording(candidate, self.basis))
 
     def _plain(self, trial: FitTrial) -> Array:
         """Information of a trial if its residuals were white, with a free lag where lags were fitted."""
@@ -260,4 +260,4 @@ class _WithDoubt:
 
     def information(self, candidate: Candidate) -> Array:
         """What a trial adds; what nothing explains grows with the signal, as in the fitted trials."""
-        return candidate_information(self.found, _recorded(candidate, self.basis), self.noise, self.rest)
+        return candidate_information(self.found, _simulated_recording(candidate, self.basis), self.noise, self.rest)

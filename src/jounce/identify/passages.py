@@ -397,7 +397,7 @@ def _looped(
     time = np.asarray(data["time"].to_numpy(), dtype=float)
     step = float(time[-1] - time[0]) / (len(time) - 1)
     count = max(round(period / step), 8)
-    loops, begun = _cut(data, names, time, times[:-1][whole == 1.0], periods[whole == 1.0], count, LEAD * period)
+    loops, begun = _cut_loops(data, names, time, times[:-1][whole == 1.0], periods[whole == 1.0], count, LEAD * period)
     if len(loops) < 2:
         return Passages(tuple(map(float, times)), likeness, speed, period, findings=tuple(findings))
     kept = _alike(loops)
@@ -433,7 +433,7 @@ def _looped(
     )
 
 
-def _cut(
+def _cut_loops(
     data: xr.Dataset, names: Sequence[str], time: Array, starts: Array, periods: Array, count: int, lead: float
 ) -> tuple[Array, Array]:
     """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and their numbers."""

@@ -28,7 +28,15 @@ from jounce.identify.discrepancy import FEWEST_TRIALS, noise_variance, readings_
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
-from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
+from jounce.identify.log_density import (
+    Convergence,
+    LogDensity,
+    by_ensemble,
+    convergence,
+    fit_log_density,
+    profile,
+    sample,
+)
 from jounce.identify.prediction import RICHER, PredictionBand, bands_of
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import UpdateResult, bounds_and_priors, run_update
@@ -217,7 +225,7 @@ def update_with_density(
         if calibration is None:
             why = next(one.message for one in update.findings if one.place == "intervals")
             raise FitError("model error cannot be counted", where=name, found=why, hint="Leave out doubt.")
-        calibration.one.tolerance = _TOLERANCE
+        calibration.problem.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, settings)
     else:
@@ -340,16 +348,18 @@ def posterior_with(
     chosen = basis.trials if predict is None else with_datums(predict, settings.channels)[0]
     limits = basis.free
     progress(f"{name}: the density around the estimate")
-    table = fitted(density, density.region, seed)
+    table = fit_log_density(density, density.region, seed)
     progress(f"{name}: {draws} draws")
     units = {item.path: shown_unit_of(basis.trials[0].rig, item.path) for item in limits}
-    found = _told(name, density, table, limits, units, draws, seed, update)
+    found = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
     result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
     if not chosen:
         return result
     progress(f"{name}: what it predicts for {len(chosen)} trials")
     predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed)
-    return replace(result, predictions=predictions, findings=(*result.findings, *_missed(result, predictions)))
+    return replace(
+        result, predictions=predictions, findings=(*result.findings, *_missed_predictions(result, predictions))
+    )
 
 
 def posterior_of(
@@ -411,8 +421,8 @@ def posterior_of(
         _Given(residuals, tuple(limits)), np.array([item.scaled(item.initial) for item in limits]),
         -np.ones(len(limits)), np.ones(len(limits)), np.full(len(limits), -np.inf),
     )  # fmt: skip
-    table = fitted(density, density.region, seed)
-    return _told(name, density, table, limits, dict.fromkeys(free, ""), draws, seed, None)
+    table = fit_log_density(density, density.region, seed)
+    return _sample_and_describe(name, density, table, limits, dict.fromkeys(free, ""), draws, seed, None)
 
 
 @dataclass(frozen=True)
@@ -461,7 +471,7 @@ def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Array], flo
     return {name: float(np.sqrt(np.mean(values))) for name, values in found.items()}
 
 
-def _told(
+def _sample_and_describe(
     name: str, density: NoiseDensity | DoubtDensity, table: LogDensity, free: Sequence[FreeParameter],
     units: Mapping[str, str], draws: int, seed: int, update: UpdateResult | None,
 ) -> Posterior:  # fmt: skip
@@ -523,7 +533,7 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], se
 
     found = density.found
     read = readings_of(found)
-    q = len(found.one.nuisances)
+    q = len(found.problem.nuisances)
     steps = np.column_stack([x - found.state.theta, density.doubts(x, seed)[:, :q]])
     level = np.random.default_rng([seed, 8]).random(len(x))
     columns = {}
@@ -558,7 +568,7 @@ def _weak(
     return found
 
 
-def _missed(found: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
+def _missed_predictions(found: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
     """Say where much lies outside of what was predicted."""
     every = [(band.inside, f"{t}, {c}") for t, channels in predictions.items() for c, band in channels.items()]
     missed = sorted(one for one in every if one[0] < _LITTLE)

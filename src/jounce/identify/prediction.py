@@ -117,7 +117,7 @@ def _plain(trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings:
             table = one.table(channel, solution)
             tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
     units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
-    return _laid(prepared.channels, tables, units, prepared.rate, align=settings.fits_lags)
+    return _lay_over_recording(prepared.channels, tables, units, prepared.rate, align=settings.fits_lags)
 
 
 def _richer(
@@ -132,11 +132,11 @@ def _richer(
         for x, step in zip(scaled, doubts, strict=True):
             for name, table in run.drawn(x, step, rng).items():
                 tables.setdefault(name, []).append(table)
-        found.append(_laid(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
+        found.append(_lay_over_recording(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
     return found
 
 
-def _laid(
+def _lay_over_recording(
     channels: Sequence[Channel], tables: Mapping[str, list[Array]], units: Mapping[str, str], rate: float, *,
     align: bool,
 ) -> _Curves:  # fmt: skip

@@ -38,7 +38,9 @@ class SearchOutcome:
     is_confirmed: bool
 
 
-def searched(problem: UpdateProblem, start: Array, method: str, seed: int, *, starts: int | None) -> SearchOutcome:
+def search_from_starts(
+    problem: UpdateProblem, start: Array, method: str, seed: int, *, starts: int | None
+) -> SearchOutcome:
     """Search from ``start`` (scaled) and from Latin-hypercube points within the bounds.
 
     ``starts`` is their number in all. Without one there are at least `_FEWEST`, and as many as it takes until two have

@@ -32,7 +32,7 @@ from jounce.identify.force_deflection import (
     SeatedTrial,
     Zero,
     hysteresis,
-    renamed,
+    number_namesakes,
     seat,
 )
 from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, in_motion, spoken
@@ -421,12 +421,12 @@ def fit_stiffness(
             allowed="above 0",
         )
     seated, findings = [], []
-    for trial in renamed(list(trials)):
+    for trial in number_namesakes(list(trials)):
         one, notes = seat(trial, zero=zero)
         seated.append(one)
         findings += notes
     findings += _copies(seated)
-    points = [_used(one, branch, discard_below, law, findings) for one in seated]
+    points = [_points_to_fit(one, branch, discard_below, law, findings) for one in seated]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
     alone = [
@@ -537,7 +537,7 @@ def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
     return findings
 
 
-def _used(
+def _points_to_fit(
     trial: SeatedTrial, branch: Branch, discard_below: float, law: Law, findings: list[Finding]
 ) -> tuple[Array, Array]:
     """Points to fit: both sides of a trial that goes into tension, where the law has two."""

@@ -95,7 +95,7 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
     rate = rest.rate_of(channel)
     corner, after = _best_corner(rest, channel, "low_pass", np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS))
     share = 1.0 - after / rest.size
-    late = {delay: _delayed(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
+    late = {delay: _left_after_delay(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
     delay = min(late, key=lambda one: late[one])
     if share < _EXPLAINS or late[delay] < ALIKE * after:
         return None
@@ -120,7 +120,7 @@ def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Arra
 
     def left(corner: float) -> float:
         sensor = Sensor.model_validate({kind: float(corner)})
-        return _changed(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
+        return _left_after_change(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
 
     found = {float(corner): left(corner) for corner in corners}
     best = min(found, key=lambda one: found[one])
@@ -135,7 +135,9 @@ def late_share(rest: WeightedResiduals) -> float:
     rate = min(one[3] for channel in rest.readings.values() for one in channel)
 
     def left(samples: float) -> float:
-        return _changed(rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate))
+        return _left_after_change(
+            rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate)
+        )
 
     coarse = {float(one): left(float(one)) for one in range(-10, 21, 2)}
     best = min(coarse, key=lambda one: coarse[one])
@@ -143,7 +145,7 @@ def late_share(rest: WeightedResiduals) -> float:
     return 1.0 - min(coarse[best], *near) / rest.size
 
 
-def _changed(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
+def _left_after_change(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
     """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
     changes = []
     for rows, weight, reading, rate, is_free in (one for channel in channels for one in rest.readings[channel]):
@@ -154,8 +156,8 @@ def _changed(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> f
     return rest.after(changes)
 
 
-def _delayed(rest: WeightedResiduals, channel: str, delay: float) -> float:
-    return _changed(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
+def _left_after_delay(rest: WeightedResiduals, channel: str, delay: float) -> float:
+    return _left_after_change(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
 
 
 def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:

@@ -96,7 +96,7 @@ def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     return [finding("identify.trial_unlike", trial, mean[trial], share=mean[trial], others=others)]
 
 
-def exchanged(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
+def exchanged_channels(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     """Name channels of one unit whose records look more like each other's reading than like their own."""
     found = []
     for one, other in combinations(left, 2):

@@ -15,17 +15,17 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
-from jounce.identify.discrepancy import FEWEST_TRIALS, Calibration, Discrepancy, calibrate, reported
+from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, ModelErrorFit, discrepancy_of, fit_model_error
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.identify.nuisances import SPEED, SearchedNuisance, nuisances_of
-from jounce.identify.search import SAME_PLACE, Optimum, SearchOutcome, searched
+from jounce.identify.search import SAME_PLACE, Optimum, SearchOutcome, search_from_starts
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
 from jounce.identify.suspects import CLEARLY, suspects
-from jounce.identify.trials_compared import disagreeing, exchanged, unlike
+from jounce.identify.trials_compared import disagreeing, exchanged_channels, unlike
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
 
@@ -333,7 +333,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 
 def run_update(
     trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings
-) -> tuple[UpdateResult, Calibration | None]:
+) -> tuple[UpdateResult, ModelErrorFit | None]:
     """Update as :func:`update_model` does; gives also where the extended model ended, where model error is counted."""
     name, doubt, align = settings.name, settings.doubts, settings.fits_lags
     if not trials:
@@ -358,15 +358,15 @@ def run_update(
     )
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
-    swapped = exchanged(_left_over(problem, problem.residuals(start)))
+    swapped = exchanged_channels(_left_over(problem, problem.residuals(start)))
     starts = 1 if settings.starts is None and doubt is None else settings.starts
-    search = searched(problem, start, settings.method, settings.seed, starts=starts)
+    search = search_from_starts(problem, start, settings.method, settings.seed, starts=starts)
     best = search.best
     findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
     findings += _common_factors(problem)
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
-    findings += [*swapped, *_unexplained(problem, residuals), *_copies(problem), *_frozen(problem)]
+    findings += [*swapped, *_unexplained_channels(problem, residuals), *_copies(problem), *_frozen(problem)]
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     findings += disagreeing(problem, residuals, best.scaled, ~at_bound) or unlike(left)
     whole = _whole(problem, best.scaled)
@@ -414,7 +414,7 @@ def run_update(
     findings += _of_nuisances(found_beside)
     lags = dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True)) if align else {}
     correlations = correlation_of(covariance)
-    alike = _correlated(names[: problem.size], correlations)
+    alike = _correlated_pairs(names[: problem.size], correlations)
     at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
     discrepancy = calibration = None
@@ -425,7 +425,7 @@ def run_update(
         found_beside_of = {one.name: one.width for one in unknowns}
         calibration, more = _with_doubt(trials, bounds, values, settings, lags, priors, found_beside_of)
         if calibration is not None:
-            discrepancy = reported(calibration, settings.bench or {})
+            discrepancy = discrepancy_of(calibration, settings.bench or {})
             more = list(discrepancy.findings)
         findings = [*more, *findings]
     if discrepancy is None:
@@ -484,7 +484,7 @@ _CORRELATED = 0.9
 _FAR = 0.05  # of a mass that was weighed
 
 
-def _correlated(names: Sequence[str], correlation: Array) -> list[Finding]:
+def _correlated_pairs(names: Sequence[str], correlation: Array) -> list[Finding]:
     """Pairs of estimates of which the data know a combination rather than each."""
     found = []
     for i, name in enumerate(names):
@@ -537,7 +537,7 @@ def _with_doubt(
     lags: Mapping[str, float],
     priors: Mapping[str, tuple[float, float]],
     found_beside: Mapping[str, float],
-) -> tuple[Calibration | None, list[Finding]]:
+) -> tuple[ModelErrorFit | None, list[Finding]]:
     """Where the extended model ended, or why there is no such thing."""
     if len(trials) < FEWEST_TRIALS:
         return None, [
@@ -551,7 +551,7 @@ def _with_doubt(
             )
         ]
     try:
-        return calibrate(trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside), []
+        return fit_model_error(trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside), []
     except SimulationError as error:
         return None, [finding("identify.noise_only", "intervals", error=error)]
 
@@ -613,7 +613,7 @@ What a model lacks moves the sums of two minima against each other by tens of pe
 _EXPLAINED = 0.5  # of the variance of a channel: a fit that leaves more than the rest is none
 
 
-def _unexplained(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
+def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
     """Name the channels of which the updated model explains little: nothing that was fitted to them holds."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     poor = dict[str, dict[str, float]]()

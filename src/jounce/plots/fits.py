@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from jounce.core.display import display_unit
 from jounce.core.errors import FitError
 from jounce.core.types import Array
-from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.identify.force_deflection import ForceDeflectionTrial, number_namesakes, seat
 from jounce.identify.free_response import alternating, decay_response, turning_points
 from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import digits_for, number, quantity
@@ -82,7 +82,7 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
 def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
     """Draw all points from where the fit counts them; give the largest deflection (SI)."""
     reach = 0.0
-    for k, trial in enumerate(renamed(list(trials))):
+    for k, trial in enumerate(number_namesakes(list(trials))):
         seated, _ = seat(trial, zero=zero)
         across, up = display_unit(seated.motion.deflection), display_unit(seated.motion.force)
         label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None

@@ -20,7 +20,7 @@ from typing import IO, Any
 import numpy as np
 
 from jounce.core import errors, optional
-from jounce.core.child_processes import ChildProcess, Watch, has_less_than, limit, resident_memory
+from jounce.core.child_processes import ChildProcess, ProcessWatch, has_less_than, limit, resident_memory
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
 from jounce.core.findings import finding_of
@@ -94,7 +94,7 @@ class _Child(ChildProcess):
             "memory": memory,
             "seconds": seconds,
         }
-        watch = Watch(self.process, 3.0 * seconds, memory)
+        watch = ProcessWatch(self.process, 3.0 * seconds, memory)
         watch.start()
         try:
             self.is_ready = self.is_ready or self.read(1) == _READY

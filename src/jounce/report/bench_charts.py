@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.core.display import display_unit, shown_as
 from jounce.core.types import Array
-from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.identify.force_deflection import ForceDeflectionTrial, number_namesakes, seat
 from jounce.identify.free_response import alternating, decay_response, turning_points
 from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import number, quantity
@@ -26,7 +26,7 @@ def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTri
     """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
     series, reach, motion = [], 0.0, MOTIONS[found.motion]
     across, up = display_unit(motion.deflection), display_unit(motion.force)
-    for k, trial in enumerate(renamed(list(trials))):
+    for k, trial in enumerate(number_namesakes(list(trials))):
         seated, _ = seat(trial, zero=found.zero)
         label = "" if k else ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
         series.append(Series(across.factor * seated.deflection, up.factor * seated.force, "measured", "line", label))

@@ -9,7 +9,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.design.mixtures import mixtures, undominated
+from jounce.design.mixtures import mixtures, undominated_rows
 from jounce.design.optimise import task_of
 
 FREE = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m"), "strut.spring.rate": "±40 %"}
@@ -37,7 +37,7 @@ def test_no_design_of_a_dense_grid_surpasses_the_front(front):
     assert front.count >= 5
     found = np.column_stack(list(front.goals.values()))
     span = np.ptp(found, axis=0)
-    assert undominated(found, span) == list(range(front.count))
+    assert undominated_rows(found, span) == list(range(front.count))
     car = jn.load("audi-a6-quarter-car")
     problem = task_of(car, FREE, dict.fromkeys(GOALS, 1.0), LIMIT, {}, CASES, None, 32, 1)
     grid = [

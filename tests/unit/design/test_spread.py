@@ -10,7 +10,7 @@ import pytest
 import jounce as jn
 from jounce.design.kinematic_study import Spread
 from jounce.design.kinematics import read_task
-from jounce.design.refitting import Changes, refitted, rod_lengths
+from jounce.design.refitting import Changes, refit, rod_lengths
 
 TOE = {"quantity": "toe", "over": "-20 mm:20 mm:20 mm", "value": 0.0, "tolerance": "0.05 deg"}
 RATIO = {"quantity": "motion_ratio", "value": 0.59, "tolerance": 0.01}
@@ -88,7 +88,7 @@ def test_a_trailing_arm_hangs_on_the_brackets_that_were_made() -> None:
     away = {"arm_inner": np.array([0.003, -0.002, 0.004]), "arm_outer": np.array([-0.002, 0.001, -0.003])}
     given = rig.hardpoints.given()
     brackets = {name: np.array(given[name]) + shift for name, shift in away.items()}
-    built = refitted(rig, Changes({name: tuple(place.tolist()) for name, place in brackets.items()}))
+    built = refit(rig, Changes({name: tuple(place.tolist()) for name, place in brackets.items()}))
     points = {name: np.array(place) for name, place in built.hardpoints.given().items()}
     own = ("arm_inner", "arm_outer", "wheel_centre", "strut_bottom")
     for one in own:

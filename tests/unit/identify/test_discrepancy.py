@@ -11,15 +11,15 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.identify.densities import DoubtDensity
 from jounce.identify.discrepancy import (
-    CalibrationProblem,
     DrawnRun,
+    ModelErrorProblem,
     _drawn_by,
     _one_sided,
     _State,
     _Stray,
-    calibrate,
+    discrepancy_of,
+    fit_model_error,
     noise_variance,
-    reported,
 )
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.extended_rig import ExtendedRig, RideExtent
@@ -89,7 +89,7 @@ def test_the_richer_rig_moves_as_the_rig_does(name):
 
 def test_slopes_of_all_doubts_are_those_of_differences():
     free = free_parameters(RIG, FREE)
-    one = CalibrationProblem(
+    one = ModelErrorProblem(
         trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
     )
     here = _State(np.zeros(len(free)), np.zeros(len(one.nuisances)), np.zeros((1, 2)), np.zeros(1))
@@ -112,7 +112,7 @@ def test_slopes_of_all_doubts_are_those_of_differences():
 def test_slopes_do_not_depend_on_where_the_search_comes_from():
     """What a presliding force did in the last motion is no part of what an input changes in this one."""
     free = free_parameters(RIG, FREE)
-    one = CalibrationProblem(
+    one = ModelErrorProblem(
         trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
     )
     xi = np.zeros(len(one.nuisances))
@@ -131,7 +131,7 @@ def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
     """Force between the masses and what is added to them: M = [[sprung, c], [c, unsprung]], whatever the angle."""
     free, course = free_parameters(RIG, FREE), jn.Trial(road=jn.Flat(), speed=1.0, duration=0.2)
     made = jn.simulate(RIG, course)[["sprung.az", "unsprung.az"]]
-    one = CalibrationProblem(
+    one = ModelErrorProblem(
         [jn.FitTrial("level", RIG, course, made)], free, UpdateSettings(weights="printed", doubt=jn.Doubt()),
         priors={"strut.spring.rate": (23e3, 300.0)},
     )  # fmt: skip
@@ -263,7 +263,7 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
         made = [jn.FitTrial(one.name, told, one.trial, one.measured) for one in passes]
         free = free_parameters(told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}})
         start = {rate: 22730.0, **truth}
-        found.append(reported(calibrate(made, free, start, DOUBTED, lags={}), {}).parameters)
+        found.append(discrepancy_of(fit_model_error(made, free, start, DOUBTED, lags={}), {}).parameters)
     for path, value in {rate: 22730.0, **truth}.items():
         low, high = found[0][path].interval
         assert found[1][path].interval == pytest.approx((low, high), rel=1e-6), path
@@ -277,7 +277,7 @@ def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong
     made = trials({"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1)
     free = free_parameters(RIG, {"strut.spring.rate": "15 %", "strut.damper.coefficient": "50 %"})
     start = {"strut.spring.rate": 22730.0, "strut.damper.coefficient": 150.0}
-    found = reported(calibrate(made, free, start, DOUBTED, lags={}), {})
+    found = discrepancy_of(fit_model_error(made, free, start, DOUBTED, lags={}), {})
     told = [finding for finding in found.findings if finding.place == "strut.damper"]
     assert [finding.severity for finding in told] == ["warning"]
     assert told[0].value == pytest.approx(60.0, abs=6.0)
@@ -305,7 +305,7 @@ def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends
     xi[list(places)] = np.linalg.solve(root, bends)
     run = SimpleNamespace(fitted=lambda theta: {path: float(theta[0])})
     found = _one_sided(SimpleNamespace(
-        one=SimpleNamespace(richer=richer, free=[path], runs=[run]), state=SimpleNamespace(theta=[20.0], xi=xi),
+        problem=SimpleNamespace(richer=richer, free=[path], runs=[run]), state=SimpleNamespace(theta=[20.0], xi=xi),
         step=SimpleNamespace(covariance=sure * np.eye(1 + len(xi))),
     ))  # fmt: skip
     assert [finding.message.split()[2] for finding in found] == ([told] if told else [])
@@ -439,7 +439,7 @@ def test_masses_that_move_far_and_pairs_that_act_alike_lead():
 def density_of(made, update, doubt):
     settings = UpdateSettings(weights="normalised", align="lag", tolerance=1e-6, doubt=doubt)
     free = free_parameters(RIG, FREE)
-    return DoubtDensity(calibrate(made, free, update.values(), settings, lags=update.lags))
+    return DoubtDensity(fit_model_error(made, free, update.values(), settings, lags=update.lags))
 
 
 @pytest.fixture(scope="module")
@@ -479,7 +479,7 @@ def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
     state = SimpleNamespace(lags=np.array([1e-4, 3e-4]))
     one = SimpleNamespace(nuisances=[None], runs=[None, None], align=False)
     drawn = object.__new__(DrawnRun)
-    drawn.found, drawn.one, drawn.rate = SimpleNamespace(one=one, state=state), one, 1000.0
+    drawn.found, drawn.problem, drawn.rate = SimpleNamespace(problem=one, state=state), one, 1000.0
     step, lags = np.array([9.0, 1.0, 2.0, 3.0, -0.4]), []  # of a doubt; speed and lag of each trial
     for drawn.fitted in (0, 1, None):
         lags.append(drawn._lag(step, None))

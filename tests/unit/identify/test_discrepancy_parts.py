@@ -10,13 +10,14 @@ import pytest
 import jounce as jn
 from jounce.identify import discrepancy
 from jounce.identify.discrepancy import (
-    CalibrationProblem,
+    ModelErrorProblem,
     NuisanceEstimate,
     _ChannelResiduals,
     _contradictions,
     _findings,
-    _freed,
+    _free_group_by_group,
     _groups,
+    _in_prior_deviations,
     _law_estimate,
     _length,
     _mean_squares,
@@ -27,11 +28,10 @@ from jounce.identify.discrepancy import (
     _State,
     _Stray,
     _System,
-    _unwhitened,
     noise_variance,
 )
 from jounce.identify.estimate import Estimate
-from jounce.identify.extended_rig import ExtendedRig, RideExtent
+from jounce.identify.extended_rig import ExtendedRig, Nuisance, RideExtent
 from jounce.identify.laws import Laws, States
 from jounce.simulation.compiled import compile_rig
 
@@ -164,7 +164,7 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
         common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
         residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
         blocks.append(_ChannelResiduals("az", trial, residual, common, own, lag))
-    moved = CalibrationProblem.moved(one, state, step, blocks, share)
+    moved = ModelErrorProblem.moved(one, state, step, blocks, share)
     np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
     np.testing.assert_allclose(moved.theta, [-2.0, 0.3 + 0.5 * share])
     np.testing.assert_allclose(moved.xi, [0.2 - 0.7 * share])
@@ -302,7 +302,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
     richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), extent=RideExtent(0.007, 0.0015, 1.0))
     one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[])
-    assert {each.name: (each.unit, each.mean, each.deviation) for each in CalibrationProblem._inputs(one)} == {
+    assert {each.name: (each.unit, each.mean, each.deviation) for each in ModelErrorProblem._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
         "presliding": ("N", 0.0, 4.0),
@@ -310,7 +310,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
     assert (
-        CalibrationProblem._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[]))
+        ModelErrorProblem._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[]))
         == []
     )
     channels = [
@@ -318,10 +318,13 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
         for name, sensor in (("a", jn.Sensor(low_pass="50 Hz")), ("b", None), ("c", jn.Sensor()))
     ]
     runs = [SimpleNamespace(channels=channels)]
-    assert {
-        each.name: (each.group, each.mean, each.deviation)
-        for each in CalibrationProblem._sensors(SimpleNamespace(beside={}, doubt=jn.Doubt(), runs=runs))
-    } == {
+
+    def sensors(doubt: jn.Doubt) -> list[Nuisance]:
+        problem = SimpleNamespace(beside={}, doubt=doubt, runs=runs)
+        problem.gain_doubt = lambda channel: ModelErrorProblem.gain_doubt(problem, channel)
+        return ModelErrorProblem._sensors(problem)
+
+    assert {each.name: (each.group, each.mean, each.deviation) for each in sensors(jn.Doubt())} == {
         "a corner": ("corner", 0.0, 0.15),
         "b bandwidth": ("bandwidth", 0.0, 0.0005),
         "c bandwidth": ("bandwidth", 0.0, 0.0005),
@@ -331,7 +334,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
         for group, deviation in (("gain", 0.01), ("bias", 0.03))
     }
     sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0, bandwidth=0.0)
-    assert CalibrationProblem._sensors(SimpleNamespace(beside={}, doubt=sure, runs=runs)) == []
+    assert sensors(sure) == []
 
 
 def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
@@ -347,7 +350,7 @@ def test_doubts_in_their_own_deviations_are_those_of_correlated_forces() -> None
     root = np.array([[2.0, 0.0], [1.0, 3.0]])
     nuisances = [SimpleNamespace(deviation=deviation) for deviation in (9.0, 4.0, 5.0)]
     one = SimpleNamespace(richer=SimpleNamespace(whitened=lambda: ((1, 2), root)), nuisances=nuisances)
-    assert _unwhitened(one, np.array([7.0, 2.0, -1.0])).tolist() == [7.0, 1.0, -0.2]
+    assert _in_prior_deviations(one, np.array([7.0, 2.0, -1.0])).tolist() == [7.0, 1.0, -0.2]
 
 
 @pytest.mark.parametrize(("reach", "named"), [(0.5, ""), (40.0, "height")])
@@ -367,7 +370,7 @@ def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) 
     found = equations.solved()
     state = _State(np.zeros(1), np.zeros(1), np.zeros((1, 0)), np.zeros(1))
     slopes = np.array([[[1.0, 0.02]], [[1.0, 0.0]]])
-    name, left, strays = _freed(one, state, equations, found, slopes, np.array([[0.5], [0.5]]))
+    name, left, strays = _free_group_by_group(one, state, equations, found, slopes, np.array([[0.5], [0.5]]))
     assert name == named
     freer = equations.solved(np.array([0.0, 1e-4]))
     energy = (freer if named else found).energy["a"] / (500.0 * found.noise["a"])

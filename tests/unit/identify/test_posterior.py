@@ -7,10 +7,10 @@ from scipy.stats import norm, truncnorm
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.fit_problem import Channel
-from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fitted, sample
+from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fit_log_density, sample
 from jounce.identify.next_trial import Candidate, next_trials
 from jounce.identify.posterior import posterior_of
-from jounce.identify.prediction import _laid, _moving
+from jounce.identify.prediction import _lay_over_recording, _moving
 
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="2 m/s", duration="0.6 s")
 FREE = {"strut.spring.rate": "20 %", "tyre.stiffness": "20 %"}
@@ -96,7 +96,7 @@ def test_a_polynomial_gives_back_what_it_goes_through():
 
 def test_sampling_is_reproducible_and_truncated_draws_have_their_moments():
     region = Region(np.zeros(1), np.eye(1), np.array([-0.5]), np.array([np.inf]))
-    density = fitted(lambda x: (-0.5 * float(x @ x), -x, 0.0), region, 1)
+    density = fit_log_density(lambda x: (-0.5 * float(x @ x), -x, 0.0), region, 1)
     first, again, other = (sample(density, 6000, seed)[0] for seed in (1, 1, 2))
     assert np.array_equal(first, again)
     assert not np.array_equal(first, other)
@@ -115,7 +115,7 @@ def test_scatter_of_exact_values_is_not_followed_to_where_no_point_is():
             0.3 * x[0] + 0.35 * draw.normal(),
         )
 
-    density = fitted(exact, Region(np.zeros(6), np.eye(6), np.full(6, -np.inf), np.full(6, np.inf)), 1)
+    density = fit_log_density(exact, Region(np.zeros(6), np.eye(6), np.full(6, -np.inf), np.full(6, np.inf)), 1)
     assert density.polynomial.powers.sum(axis=1).max() == 2
     assert density.error < 0.5
     u = draw.normal(size=(500, 6))
@@ -184,7 +184,7 @@ def test_draws_are_laid_over_the_recording_each_with_its_own_lag():
     channel = Channel("sprung.az", 0, curve(0.0), None, 0.0, 1.0)
     drawn = {"sprung.az": [curve(0.05 + late) for late in (-3.3e-3, 0.4e-3, 2.1e-3)]}
     for align in (False, True):
-        ((_, table, _),) = _laid([channel], drawn, {"sprung.az": "m/s^2"}, 1000.0, align=align)
+        ((_, table, _),) = _lay_over_recording([channel], drawn, {"sprung.az": "m/s^2"}, 1000.0, align=align)
         assert (np.max(np.abs(table - channel.measured)) < 1e-4) == align
 
 

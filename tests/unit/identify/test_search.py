@@ -10,7 +10,7 @@ import pytest
 
 from jounce.core.errors import SimulationError
 from jounce.identify import search
-from jounce.identify.search import searched
+from jounce.identify.search import search_from_starts
 
 
 class _Wells:
@@ -50,9 +50,9 @@ def wells(**options: float) -> Any:
 
 @pytest.mark.parametrize("method", ["least-squares", "bfgs"])
 def test_a_start_in_the_wrong_well_is_found_out(method: str) -> None:
-    alone = searched(wells(), np.array([-0.5]), method, 1, starts=1)
+    alone = search_from_starts(wells(), np.array([-0.5]), method, 1, starts=1)
     assert alone.best.scaled[0] == pytest.approx(-0.6, abs=1e-3)
-    found = searched(wells(), np.array([-0.5]), method, 1, starts=None)
+    found = search_from_starts(wells(), np.array([-0.5]), method, 1, starts=None)
     assert found.best.scaled[0] == pytest.approx(0.6, abs=1e-3)
     assert [one.scaled[0] for one in found.others] == [pytest.approx(-0.6, abs=1e-2)]
     assert found.is_confirmed
@@ -60,7 +60,7 @@ def test_a_start_in_the_wrong_well_is_found_out(method: str) -> None:
 
 
 def test_a_start_in_the_right_well_is_confirmed_and_the_other_one_told() -> None:
-    found = searched(wells(), np.array([0.5]), "least-squares", 1, starts=None)
+    found = search_from_starts(wells(), np.array([0.5]), "least-squares", 1, starts=None)
     assert (found.starts, found.is_confirmed) == (4, True)
     assert [one.scaled[0] for one in found.others] == [pytest.approx(-0.6, abs=1e-2)]
     assert found.others[0].objective == pytest.approx(0.2, rel=1e-2)
@@ -71,7 +71,7 @@ def test_a_best_place_that_nothing_confirms_is_no_certainty(monkeypatch: pytest.
         return ((problem, search.Optimum(0.9 * point, 5.0, 1, 1, converged=True)) for point in points)
 
     monkeypatch.setattr(search, "_rough_ends", ends)
-    found = searched(wells(), np.array([0.5]), "least-squares", 1, starts=None)
+    found = search_from_starts(wells(), np.array([0.5]), "least-squares", 1, starts=None)
     assert (found.starts, found.is_confirmed) == (8, False)
 
 
@@ -84,7 +84,7 @@ def test_starts_lie_within_the_bounds_and_the_best_end_leads(monkeypatch: pytest
 
     monkeypatch.setattr(search, "minimise", minimise)
     problem: Any = SimpleNamespace(size=2)
-    found = searched(problem, np.array([0.3, 0.3]), "bfgs", 5, starts=9)
+    found = search_from_starts(problem, np.array([0.3, 0.3]), "bfgs", 5, starts=9)
     places = np.array(begun)
     assert places.shape == (9, 2)
     assert begun[0].tolist() == [0.3, 0.3]
