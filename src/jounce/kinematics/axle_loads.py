@@ -126,7 +126,7 @@ def load_axle(
     car : LoadedAxle
         The car around the axle.
     cases : mapping, optional
-        As for :func:`jounce.load_cases`; common cases by default.
+        Accelerations of the car in g, as for :func:`jounce.load_cases`; common cases by default.
 
     Returns
     -------

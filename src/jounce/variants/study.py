@@ -102,7 +102,7 @@ class ReadSweep:
 
 @dataclass(frozen=True)
 class SweepResult(Plain):
-    """Result of a sweep.
+    """Statistics of a sweep, what its metrics depend on, and the data behind them.
 
     Attributes
     ----------
