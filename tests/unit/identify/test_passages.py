@@ -138,6 +138,16 @@ def test_a_running_belt_is_periodic_after_its_loops() -> None:
     assert np.max(np.abs(first - last)) < 2e-3 * np.ptp(last)
 
 
+def test_a_start_from_rest_lacks_what_the_last_loops_left() -> None:
+    road = on_belt(jn.Train(of=ONE, count=5, pitch=0.10))
+    trial, begin = running_trial(RIG, road, 3.87)
+    run = jn.simulate(RIG, trial)
+    time, moved = run["time"].to_numpy(), run["sprung.az"].to_numpy()
+    grid = np.linspace(0.0, 0.99 * BELT / 3.87, 500)
+    first, last = (np.interp(grid + at, time, moved) for at in (0.0, begin))
+    assert 1.0 - np.mean((first - last) ** 2) / np.var(last) < 0.9
+
+
 def test_an_averaged_trial_explains_its_record() -> None:
     road = on_belt(ONE)
     data = record(road, 3.87)

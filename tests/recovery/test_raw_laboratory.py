@@ -1,0 +1,136 @@
+"""From a laboratory's raw folder to the values behind it, in two steps; the laboratory shares no code with jounce."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+import raw_laboratory as laboratory
+
+import jounce as jn
+from jounce.campaign import CampaignResult, FolderCampaign
+from jounce.campaign.run import Runner, prepared_campaign
+from jounce.core.errors import JounceError
+
+
+@pytest.fixture(scope="module")
+def lab() -> laboratory.Laboratory:
+    return laboratory.drawn(3)
+
+
+@pytest.fixture(scope="module")
+def folder(lab: laboratory.Laboratory, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("raw")
+    laboratory.write(lab, place)
+    laboratory.write_book(lab, place)
+    return place
+
+
+@pytest.fixture(scope="module")
+def made(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> FolderCampaign:
+    return jn.campaign_from_folder(tmp_path_factory.mktemp("made") / "campaign", folder)
+
+
+@pytest.fixture(scope="module")
+def result(made: FolderCampaign) -> CampaignResult:
+    return jn.run_campaign(made.campaign)
+
+
+@pytest.fixture(scope="module")
+def runner(made: FolderCampaign) -> Runner:
+    return prepared_campaign(made.campaign, lambda _text: None)[0]
+
+
+def test_every_file_is_recognised(made: FolderCampaign) -> None:
+    kinds = {
+        kind: sorted(item.file.name for item in made.files if item.kind == kind)
+        for kind in {i.kind for i in made.files}
+    }
+    assert {kind: len(names) for kind, names in kinds.items()} == {
+        "trial": 16, "spring": 5, "tyre": 6, "decay": 2, "calibration": 2, "settings": 1, "table of trials": 1,
+    }  # fmt: skip
+    assert sorted(item.number for item in made.files if item.kind == "trial") == list(range(1, 17))
+    assert not [item.doubt for item in made.files if item.doubt]
+
+
+def test_all_passages_are_found_and_timed(lab: laboratory.Laboratory, runner: Runner) -> None:
+    assert sorted(runner.loaded) == list(range(1, 17))
+    for number, item in runner.loaded.items():
+        true = laboratory.passages(lab, number - 1)
+        found = np.array(item.facts.passages.times)
+        late = np.array([time - true[np.argmin(np.abs(true - time))] for time in found])
+        assert abs(len(found) - len(true)) <= 1, number  # one at an end may lie half outside
+        assert np.ptp(late) < 2e-4, number
+        assert np.max(np.abs(late)) < 3e-3, number
+        mean = (len(true) - 1) * lab.belt.loop / (true[-1] - true[0])
+        assert item.facts.speed == pytest.approx(mean, rel=1e-3)
+        slip = 1.0 - item.facts.speed / item.facts.pulses
+        assert slip == pytest.approx(lab.belt.slip, abs=3e-3)
+
+
+def test_the_intervals_hold_what_is_true(lab: laboratory.Laboratory, result: CampaignResult) -> None:
+    assert result.is_complete, [str(item) for item in result.findings if item.severity == "problem"]
+    truth = laboratory.truths(lab)
+    parameters = result.strategies[0].update.discrepancy.parameters
+    assert set(parameters) == set(truth)
+    for path, found in parameters.items():
+        assert found.identified, path
+        assert found.interval[0] <= truth[path] <= found.interval[1], path
+        assert found.interval[1] - found.interval[0] < (0.5 if "friction" in path else 0.2) * truth[path], path
+
+
+def test_the_model_holds_in_all_trials(result: CampaignResult) -> None:
+    assert [trial.entry.number for trial in result.trials if trial.after is None] == []
+    assert {trial.after.verdict for trial in result.trials} == {"holds"}
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (lambda place: (place / "settings.toml").unlink(), "no settings of the laboratory"),
+        (lambda place: (place / "table.csv").unlink(), "no table of trials"),
+        (lambda place: [file.unlink() for file in place.glob("P*.csv")], "no record of a trial was found"),
+        (
+            lambda place: (place / "settings.toml").write_text(
+                (place / "settings.toml").read_text().replace("100 mV/g", "100")
+            ),
+            "not a sensitivity with its units",
+        ),
+        (
+            lambda place: (place / "settings.toml").write_text(
+                (place / "settings.toml").read_text().replace('unsprung_mass = "5 kg"\n', "")
+            ),
+            "sprung_mass and unsprung_mass are missing",
+        ),
+    ],
+)
+def test_what_is_missing_is_said(folder: Path, tmp_path: Path, change, what: str) -> None:
+    place = tmp_path / "raw"
+    shutil.copytree(folder, place)
+    change(place)
+    with pytest.raises(JounceError, match=what):
+        jn.campaign_from_folder(tmp_path / "campaign", place)
+    assert not (tmp_path / "campaign").exists()
+
+
+def test_other_files_go_on_without_one(folder: Path, tmp_path: Path) -> None:
+    place = tmp_path / "raw"
+    shutil.copytree(folder, place)
+    next(place.glob("*_05.csv")).unlink()
+    next(place.glob("tyre_025_1.csv")).rename(place / "tyre_1.csv")
+    (place / "notes.docx").write_bytes(b"PK")
+    (place / "empty.csv").write_text("", encoding="utf-8")
+    (place / "cal_laser.csv").write_text("displacement [mm],ch3 [V]\n10,1.4\n10,1.5\n", encoding="utf-8")
+    made = jn.campaign_from_folder(tmp_path / "campaign", place)
+    codes = {
+        item.code.removeprefix("campaign."): item.place
+        for item in made.findings
+        if item.code != "campaign.file_left_out"
+    }
+    assert codes["no_record"] == "trial 5"
+    assert codes["tyre_without_pressure"] == "tyre_1.csv"
+    assert codes["stated_sensitivity_used"] == "cal_laser.csv"
+    left_out = {item.place for item in made.findings if item.code == "campaign.file_left_out"}
+    assert left_out == {"notes.docx", "empty.csv"}
