@@ -37,7 +37,7 @@ from jounce.analysis.record import (
     measured,
 )
 from jounce.analysis.spectrum import segment_samples
-from jounce.analysis.transfer import check_moving, sliding_model
+from jounce.analysis.transfer import check_moving, sliding_model, whitened
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, Switch, Texts, operation
@@ -325,7 +325,7 @@ def _lines(
     samples = round(samples * rate / used.rate)
     f, inside = _inside(samples, rate, band)
     if given is not None:
-        signals = _whitened(signals, given)
+        signals = whitened(signals, given)
     outputs = [_segments(signals[name], rate, samples) for name in names]
     count = outputs[0].shape[1]
     groups = min(GROUPS, count)
@@ -358,28 +358,6 @@ def _decimated(used: Measured, names: Sequence[str], highest: float) -> tuple[di
 
 
 _OVERSAMPLED = 6.0  # samples in the shortest period: filters against aliasing begin at 2.5
-
-
-def _whitened(signals: dict[str, Array], given: str) -> dict[str, Array]:
-    """Filter all channels so that the input has the same power at all frequencies, which no window can blur.
-
-    Input and outputs pass the same filter, so that what is between them stays: without it a road, whose power falls
-    with the square of the frequency, would leak from line to line and shift the lowest mode.
-    """
-    from scipy import signal
-    from scipy.linalg import solve_toeplitz
-
-    source = signals[given] - signals[given].mean()
-    size = len(source)
-    power = np.abs(np.fft.rfft(source, 2 * size)) ** 2
-    correlation = np.fft.irfft(power)[: _WHITENING + 1]
-    correlation[0] *= 1.0 + 1e-9
-    taps = np.concatenate([[1.0], -solve_toeplitz(correlation[:-1], correlation[1:])])
-    return {name: signal.lfilter(taps, [1.0], one - one.mean())[_WHITENING:] for name, one in signals.items()}
-
-
-_WHITENING = 8
-"""Order of the filter: two for the slope of a road's spectrum, the others for a resonance or two of a shaker."""
 
 
 def _segments(values: Array, rate: float, samples: int) -> Complex:

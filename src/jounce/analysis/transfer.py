@@ -32,16 +32,18 @@ from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
 from jounce.parts import Rig, as_rig
-from jounce.ride.spectra import WINDOWS, independent_segments
+from jounce.ride.spectra import WINDOWS, independent_segments, power_spectrum
 from jounce.simulation.linear_model import LinearModel, linearise
 
 Estimator: TypeAlias = Literal["H1", "H2", "Hv"]
-FEWEST_PARTS = 16
-"""Segments of a short record, before they overlap: gains are known to 18 % where the coherence is a half."""
+FEWEST_PARTS = 8
+"""Segments of a short record, before they overlap: gains are known to 19 % where the coherence is a half."""
 LOW_COHERENCE = 0.5
 """Below it less than half of the output follows the input: errors of the gain reach 13 % even with 30 segments."""
 _FEWEST_AVERAGES = 2.0
 _SELDOM = 0.02  # share of the band that may lack coherence without a word: the lines at its ends
+_KNOWN = 0.1  # relative error of a gain, up to which its peaks are looked at
+_BIAS = 0.05  # of a peak's height, from which on what the segments take off is named
 _EXCITED = 1e-3  # of the largest power of the input between its neighbours; what lies below is noise of 10 bits
 
 
@@ -199,7 +201,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     band : (float, float), optional
         Lowest and highest frequency, Hz or text with a unit; by default all that both channels were recorded with.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default a sixteenth of the record, 8 s at
+        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at
         most. It must be longer than the system rings: otherwise peaks come out too low, and the coherence with them.
     window : {"hann", "boxcar"}
         Hann segments overlap by half; boxcar segments do not.
@@ -245,7 +247,10 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     names = [check_channel(used, name) for name in (given, output)]
     check_moving(used, names)
     count = segment_samples(used, segment, FEWEST_PARTS)
-    averages = independent_segments(used.run.sizes["time"], count, window)
+    averages, resolution = (
+        independent_segments(used.run.sizes["time"], count, window),
+        WINDOWS[window] * used.rate / count,
+    )
     if averages < _FEWEST_AVERAGES:
         raise RecordingError(
             "a coherence needs two independent segments or more",
@@ -263,7 +268,9 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     error = phase_error(coherence, averages)
     significant = 1.0 - (1.0 - confidence) ** (1.0 / max(averages - 1.0, 1e-9))
     model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
-    doubts = [*_incoherent(used.name, frequency, coherence, own, significant), *words]
+    power = power_spectrum(used.values(given), used.rate, segment=count / used.rate, window=window).density[inside]
+    doubts = [*_incoherent(used.name, frequency, coherence, power, significant), *words]
+    doubts += _flattened(used.name, frequency, abs(response), error, resolution)
     return TransferEstimate(
         used.name,
         output,
@@ -276,7 +283,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
         used.rate,
         window,
         count / used.rate,
-        WINDOWS[window] * used.rate / count,
+        resolution,
         averages,
         confidence,
         significant,
@@ -312,16 +319,41 @@ def phase_error(coherence: Array, averages: float) -> Array:
 def _spectra(
     used: Measured, given: str, output: str, count: int, window: str
 ) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
-    """Frequencies (Hz), and densities of input, output, and both together."""
+    """Frequencies (Hz), and densities of input, output, and both together, all with the input made white."""
     from scipy import signal
 
-    x, y = used.values(given), used.values(output)
+    both = {name: used.values(name) for name in (given, output)}
+    white = whitened(both, given)
+    x, y = white[given], white[output]
     overlap = count // 2 if window == "hann" else 0
     options: dict[str, Any] = {"fs": used.rate, "window": window, "nperseg": count, "noverlap": overlap}
     frequency, own = signal.welch(x, **options)
     other = signal.welch(y, **options)[1]
     cross = signal.csd(x, y, **options)[1]
     return frequency, own, other, cross
+
+
+def whitened(signals: dict[str, Array], given: str) -> dict[str, Array]:
+    """Filter all channels so that the input has the same power at all frequencies, which no window can blur.
+
+    Input and outputs pass the same filter, so that what is between them stays: without it a road, whose power falls
+    with the square of the frequency, would leak from line to line and shift the lowest mode.
+    """
+    from scipy import signal
+    from scipy.linalg import solve_toeplitz
+
+    source = signals[given] - signals[given].mean()
+    size = len(source)
+    power = np.abs(np.fft.rfft(source, 2 * size)) ** 2
+    correlation = np.fft.irfft(power)[: _WHITENING + 1]
+    correlation[0] *= 1.0 + _LEAST_POWER
+    taps = np.concatenate([[1.0], -solve_toeplitz(correlation[:-1], correlation[1:])])
+    return {name: signal.lfilter(taps, [1.0], one - one.mean())[_WHITENING:] for name, one in signals.items()}
+
+
+_WHITENING = 8
+"""Order of the filter: two for the slope of a road's spectrum, the others for a resonance or two of a shaker."""
+_LEAST_POWER = 1e-6  # of the input, spread over all frequencies: what is quieter is not made louder
 
 
 def _response(estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]) -> NDArray[np.complex128]:
@@ -353,6 +385,28 @@ def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, signi
 
 
 _NEARLY_ALL = 0.95  # of the band without coherence: what is left may have it by chance
+
+
+def _flattened(name: str, frequency: Array, gain: Array, error: Array, resolution: float) -> list[Finding]:
+    """Name peaks that are so narrow that the segments take off their height (Bendat and Piersol, section 8.5)."""
+    from scipy.signal import find_peaks
+
+    known = np.where(error < _KNOWN, gain, 0.0)
+    places, facts = find_peaks(known, prominence=0.3 * float(known.max()))
+    found = []
+    for at, rise in zip(places.tolist(), facts["prominences"].tolist(), strict=True):
+        if rise < 4.0 * error[at] * gain[at]:  # it may be by chance
+            continue
+        below = np.flatnonzero(gain[:at] < gain[at] * 0.5**0.5)
+        above = np.flatnonzero(gain[at:] < gain[at] * 0.5**0.5)
+        if not below.size or not above.size:
+            continue
+        width = float(frequency[at + above[0]] - frequency[below[-1]])
+        loss = (resolution / width) ** 2 / 3.0
+        if loss > _BIAS:
+            centre = float(frequency[at])
+            found.append(finding("analysis.flat_peak", name, centre, frequency=centre, width=width, loss=loss))
+    return found
 
 
 def sliding_model(rig: Rig) -> LinearModel:

@@ -105,3 +105,16 @@ def test_what_cannot_be_estimated_is_refused(options: dict[str, str], error: typ
     asked = {"output": "sprung.az", "given": "road.z", **options}
     with pytest.raises(error, match=words):
         jn.estimate_transfer(run, **asked)  # type: ignore[arg-type]
+
+
+def test_a_peak_that_short_segments_flatten_is_named_and_longer_ones_raise_it() -> None:
+    t, road, both = TwoMasses(damper=200.0).drive(0, 200.0, noise=0.001)
+    run = jn.recording(t, {"road.z": (road, "m", ""), "unsprung.az": (both[:, 1], "m/s^2", "")})
+    truth = abs(TwoMasses(damper=200.0).response(np.linspace(5.0, 20.0, 500))).max(axis=0)[1]
+    short, long = (
+        jn.estimate_transfer(run, "unsprung.az", "road.z", segment=segment, band=(2.0, 40.0)) for segment in (1.0, 8.0)
+    )
+    assert [one.code for one in short.findings] == ["analysis.flat_peak"]
+    assert short.gain.max() < 0.95 * truth
+    assert long.findings == ()
+    assert long.gain.max() == pytest.approx(truth, rel=0.03)
