@@ -325,7 +325,7 @@ def _lines(
     samples = round(samples * rate / used.rate)
     f, inside = _inside(samples, rate, band)
     if given is not None:
-        signals = whitened(signals, given)
+        signals = whitened(signals, given, samples)
     outputs = [_segments(signals[name], rate, samples) for name in names]
     count = outputs[0].shape[1]
     groups = min(GROUPS, count)

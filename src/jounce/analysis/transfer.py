@@ -323,7 +323,7 @@ def _spectra(
     from scipy import signal
 
     both = {name: used.values(name) for name in (given, output)}
-    white = whitened(both, given)
+    white = whitened(both, given, count)
     x, y = white[given], white[output]
     overlap = count // 2 if window == "hann" else 0
     options: dict[str, Any] = {"fs": used.rate, "window": window, "nperseg": count, "noverlap": overlap}
@@ -333,27 +333,26 @@ def _spectra(
     return frequency, own, other, cross
 
 
-def whitened(signals: dict[str, Array], given: str) -> dict[str, Array]:
+def whitened(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:
     """Filter all channels so that the input has the same power at all frequencies, which no window can blur.
 
-    Input and outputs pass the same filter, so that what is between them stays: without it a road, whose power falls
-    with the square of the frequency, would leak from line to line and shift the lowest mode.
+    Input and outputs pass the same filter, without phase, so that what is between them stays. Without it a road, whose
+    power falls with the square of the frequency, or a wheel's acceleration, which rises with it, would leak from line
+    to line and shift the lowest mode. ``count`` are the samples of the segments that follow.
     """
-    from scipy import signal
-    from scipy.linalg import solve_toeplitz
+    from scipy import fft, signal
+    from scipy.ndimage import uniform_filter1d
 
-    source = signals[given] - signals[given].mean()
-    size = len(source)
-    power = np.abs(np.fft.rfft(source, 2 * size)) ** 2
-    correlation = np.fft.irfft(power)[: _WHITENING + 1]
-    correlation[0] *= 1.0 + _LEAST_POWER
-    taps = np.concatenate([[1.0], -solve_toeplitz(correlation[:-1], correlation[1:])])
-    return {name: signal.lfilter(taps, [1.0], one - one.mean())[_WHITENING:] for name, one in signals.items()}
+    size = len(signals[given])
+    frequency, density = signal.welch(signals[given], 1.0, nperseg=count)
+    density[:2] = density[min(2, count // 2)]  # the mean was taken off
+    level = uniform_filter1d(np.log(np.maximum(density, _LEAST_POWER * density.max())), 3, mode="nearest")
+    longer = fft.next_fast_len(size + count, real=True)
+    gain = np.exp(-0.5 * np.interp(fft.rfftfreq(longer), frequency, level))
+    return {name: fft.irfft(fft.rfft(one - one.mean(), longer) * gain, longer)[:size] for name, one in signals.items()}
 
 
-_WHITENING = 8
-"""Order of the filter: two for the slope of a road's spectrum, the others for a resonance or two of a shaker."""
-_LEAST_POWER = 1e-6  # of the input, spread over all frequencies: what is quieter is not made louder
+_LEAST_POWER = 1e-6  # of the strongest line: what is quieter is not made louder
 
 
 def _response(estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]) -> NDArray[np.complex128]:
