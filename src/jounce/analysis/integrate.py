@@ -279,10 +279,16 @@ def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list
 
 def _density(used: Measured, values: Array) -> Spectrum:
     """Density of an acceleration, less its straight line, with pieces of a quarter of the record or 30 s."""
-    from scipy.signal import detrend
-
     count = min(max(len(values) // 4, 32), int(30.0 * used.rate))
-    return power_spectrum(detrend(values), used.rate, segment=count / used.rate)
+    return power_spectrum(_level(values), used.rate, segment=count / used.rate)
+
+
+def _level(values: Array) -> Array:
+    """Values less their straight line."""
+    away = values - values.mean()
+    steps = np.arange(values.size) - 0.5 * (values.size - 1)
+    away -= (float(steps @ away) / float(steps @ steps)) * steps
+    return away
 
 
 def _third_octaves(spectrum: Spectrum) -> tuple[Array, Array]:
@@ -351,10 +357,9 @@ def _random(
 ) -> IntegratedChannel:
     """Integrate over frequency, the record being continued by its mirror images."""
     from scipy import fft
-    from scipy.signal import detrend
 
     pad = min(len(values) - 1, int(3.0 / corner * used.rate))
-    longer = np.pad(detrend(values), pad, mode="reflect")
+    longer = np.pad(_level(values), pad, mode="reflect")
     size = fft.next_fast_len(len(longer), real=True)
     frequency = fft.rfftfreq(size, 1.0 / used.rate)
     s = 2j * np.pi * frequency
