@@ -113,11 +113,11 @@ def test_python_of_a_fit_gives_what_its_command_gives(tmp_path, cli, spring_file
                  "stroke_positive": "extension", "force_positive": "tension", "discard_below": "2 mm"}  # fmt: skip
     names, told = _by_python_and_command(tmp_path, stiffness, cli)
     assert told["stiffness"]["value"] == pytest.approx(22730.0, rel=1e-3)
-    assert told["stiffness"]["value"] == pytest.approx(names["result"].stiffness.value, rel=1e-12)
+    assert told["stiffness"]["value"] == pytest.approx(names["result"].fit.stiffness.value, rel=1e-12)
     decay = {"kind": "decay", "files": [decay_file.name], "mass": "16 kg", "begin": "0.21 s", "end": "1.5 s"}
     names, told = _by_python_and_command(tmp_path, decay, cli)
-    assert told["damping_ratio"]["value"] == pytest.approx(names["result"].damping_ratio.value, rel=1e-12)
-    assert told["coulomb_force"]["value"] == pytest.approx(names["result"].coulomb_force.value, rel=1e-12)
+    assert told["damping_ratio"]["value"] == pytest.approx(names["result"].fit.damping_ratio.value, rel=1e-12)
+    assert told["coulomb_force"]["value"] == pytest.approx(names["result"].fit.coulomb_force.value, rel=1e-12)
 
 
 @pytest.mark.pages

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from jounce.campaign.result import StrategyResult
 from jounce.campaign.run import Runner, prepared_campaign
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Count, File, Mark, Switch, Texts, operation
 from jounce.core.units import positive_si, to_si
 from jounce.identify.fit_problem import FitTrial
 from jounce.identify.next_trial import Candidate, NextTrials, next_trials
@@ -79,19 +80,41 @@ def campaign_posterior(
     return posterior_with(trials, free, settings, draws=draws, seed=seed, predict=every, progress=progress)
 
 
+@operation(
+    "campaign next",
+    named={
+        "path": "campaign",
+        "speeds": "speed",
+        "roads": "road",
+        "strut_angles": "strut_angle",
+        "tyre_pressures": "tyre_pressure",
+    },
+    page="jounce.report.posterior:next_trials_page",
+    title="{campaign}",
+    example='jounce campaign next campaign.toml --strategy "strategy 4" --strut-angle "26 deg"',
+)
 def campaign_next_trials(
-    path: Path | str,
-    strategy: str = "",
+    path: Annotated[Path | str, File("Campaign file with updates.", "CAMPAIGN.toml")],
+    strategy: Annotated[str, Mark("Name of the update; the last one by default.", "STRATEGY")] = "",
     *,
-    speeds: Sequence[float | str] | None = None,
-    roads: Sequence[str] | None = None,
-    strut_angles: Sequence[float | str] | None = None,
-    tyre_pressures: Sequence[float | str] | None = None,
-    count: int = 3,
-    noise_only: bool = False,
+    speeds: Annotated[
+        Sequence[float | str] | None,
+        Texts('A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.', "SPEED"),
+    ] = None,
+    roads: Annotated[Sequence[str] | None, Texts("A road of the campaign; repeat it. By default all.", "ROAD")] = None,
+    strut_angles: Annotated[
+        Sequence[float | str] | None, Texts('A strut angle to set up, e.g. "26 deg"; repeat it.', "ANGLE")
+    ] = None,
+    tyre_pressures: Annotated[
+        Sequence[float | str] | None, Texts('A tyre pressure, e.g. "0.31 MPa"; repeat it.', "PRESSURE")
+    ] = None,
+    count: Annotated[int, Count("Trials to choose one after the other.", least=1, most=20)] = 3,
+    noise_only: Annotated[
+        bool, Switch("Count noise only, not what the campaign doubts of model and measurement.")
+    ] = False,
     progress: Progress = lambda _text: None,
 ) -> NextTrials:
-    """Find the trials that would tell most about the parameters of one update of a campaign.
+    """Rank trials that could be run by what they are expected to tell about an update's parameters.
 
     Parameters
     ----------

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.derived import add_commands
 from jounce.cli.options import (
     AsJson,
     Force,
@@ -353,45 +354,7 @@ def _write_posterior(found: Posterior, campaign: Campaign, out: Path, *, force: 
     return missing
 
 
-@app.command("next")
-def next_(
-    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file with updates.")],
-    strategy: Strategy = "",
-    speed: Annotated[
-        list[str] | None,
-        typer.Option(help='A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.'),
-    ] = None,
-    road: Annotated[list[str] | None, typer.Option(help="A road of the campaign; repeat it. By default all.")] = None,
-    strut_angle: Annotated[
-        list[str] | None, typer.Option(help='A strut angle to set up, e.g. "26 deg"; repeat it.')
-    ] = None,
-    tyre_pressure: Annotated[
-        list[str] | None, typer.Option(help='A tyre pressure, e.g. "0.31 MPa"; repeat it.')
-    ] = None,
-    count: Annotated[int, typer.Option(min=1, max=20, help="Trials to choose one after the other.")] = 3,
-    noise_only: NoiseOnly = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Rank trials that could be run by what they are expected to tell about an update's parameters.
-
-    Example: jounce campaign next campaign.toml --strategy "strategy 4" --strut-angle "26 deg"
-    """
-    with progress() as say:
-        from jounce.campaign.posterior import campaign_next_trials
-
-        found = campaign_next_trials(
-            campaign, strategy, speeds=speed, roads=road, strut_angles=strut_angle, tyre_pressures=tyre_pressure,
-            count=count, noise_only=noise_only, progress=say,
-        )  # fmt: skip
-    plain = found.to_dict()
-
-    def draw(console: Console) -> None:
-        from jounce.cli.terminal import show_page
-        from jounce.report.posterior import next_trials_page
-
-        show_page(console, next_trials_page(found, title=campaign.stem))
-
-    return Reply(plain, draw, as_json)
+add_commands(app, "campaign")
 
 
 def campaign_reply(

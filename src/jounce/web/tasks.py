@@ -21,7 +21,6 @@ from jounce.web.answers import arguments, rig_of
 from jounce.web.campaigns import title_of
 from jounce.web.project import Project
 
-_TO_SI = "from jounce.core.units import to_si\n"
 _SIGNS = "from jounce.identify.signs import compression_positive\n"
 _INSPECTING = (
     "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n"
@@ -401,6 +400,10 @@ class _Reading(_Task):
             words += [f"--{name.replace('_', '-')}={getattr(self, name)}"] if getattr(self, name) else []
         return words
 
+    def _request(self, project: Project, command: str, **more: str) -> Request:
+        files = [_file(project, file) for file in self.files]
+        return _request(command, {**self.model_dump(exclude={"kind", "files"}), "measured": files, **more})
+
     def _read(self, *names: str) -> str:
         return arguments({name: getattr(self, name) for name in names if getattr(self, name)}, ", ")
 
@@ -415,19 +418,8 @@ class StiffnessTask(_Reading):
     branch: Literal["loading", "unloading", "both"] = "loading"
 
     def _doing(self, project: Project) -> Doing:
-        words = self._words(project, "force_positive", "discard_below")
-        words += [f"--law={self.law}", f"--intercept={self.intercept}", f"--branch={self.branch}"]
-        signs = f"{self.stroke_positive or None!r}, {self.force_positive or None!r}"
-        discard = f', discard_below=to_si({self.discard_below!r}, "m")' if self.discard_below else ""
-        python = (
-            f"import jounce as jn\n{_TO_SI if self.discard_below else ''}\ntrials = []\nfor file in {self.files!r}:\n"
-            f"    one, findings = jn.read_columns(file, {_WANTED}{self._read('columns', 'variable')})\n"
-            f'    trials.append(jn.ForceDeflectionTrial(one["displacement"], one["force"], file, {signs}))\n'
-            f"result = jn.fit_stiffness(trials, law={self.law!r}, intercept={self.intercept!r}, "
-            f"branch={self.branch!r}{discard})\n"
-            "print(result)\n"
-        )
-        return Doing("Stiffness", ["fit", "stiffness", *words], _REPORT, python, limits=LIMITS)
+        request = self._request(project, "fit stiffness")
+        return Doing("Stiffness", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class DecayTask(_Reading):
@@ -441,24 +433,8 @@ class DecayTask(_Reading):
     end: Text = ""
 
     def _doing(self, project: Project) -> Doing:
-        words = [*self._words(project, "sample_time"), f"--channel={self.channel}", f"--mass={self.mass}"]
-        words += [f"--from={self.begin}"] if self.begin else []
-        words += [f"--to={self.end}"] if self.end else []
-        window = f', begin=to_si({self.begin!r}, "s")' if self.begin else ""
-        window += f', end=to_si({self.end!r}, "s")' if self.end else ""
-        turned = f"compression_positive(record, {self.stroke_positive!r}, None)" if self.stroke_positive else "record"
-        python = (
-            f"import jounce as jn\n{_TO_SI}from jounce.identify.decay import combine_decays\n"
-            f"{_SIGNS if self.stroke_positive else ''}\n"
-            'kinds = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}\n'
-            f"found = []\nfor file in {self.files!r}:\n"
-            f"    record, findings = jn.read_recording(file{self._read('columns', 'variable', 'sample_time')})\n"
-            f"    height = {turned}[{self.channel!r}]\n"
-            f'    found.append(jn.fit_decay(record["time"], height, mass=to_si({self.mass!r}, "kg"), '
-            f'quantity=kinds[height.attrs["units"]]{window}))\n'
-            "result = found[0] if len(found) == 1 else combine_decays(found)\nprint(result)\n"
-        )
-        return Doing("Free decay", ["fit", "decay", *words], _REPORT, python, limits=LIMITS)
+        request = self._request(project, "fit decay", **{"from": self.begin, "to": self.end})
+        return Doing("Free decay", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class PreviewTask(_Reading):
