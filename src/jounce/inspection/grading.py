@@ -18,7 +18,7 @@ from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Language
 from jounce.inspection.quarter_car import steady_state
 from jounce.inspection.reasons import Reason
-from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult
+from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult, wheel_table
 
 
 @dataclass(frozen=True)
@@ -213,6 +213,11 @@ class GradedInspection(Shown):
     verdict: str
     reasons: tuple[Reason, ...]
     deciding: tuple[str, ...]
+
+    def __str__(self) -> str:
+        reasons = [f"{grade.wheel}: {reason.text()}" for grade in self.grades for reason in grade.reasons]
+        reasons += [f"axle: {reason.text()}" for reason in self.reasons]
+        return "\n".join([str(wheel_table(f"{self.axle or 'axle'}: {self.verdict}", self.wheels)), *reasons])
 
     @property
     def wheels(self) -> tuple[WheelResult, ...]:

@@ -9,6 +9,7 @@ import pytest
 
 from jounce.inspection import Inspection, WheelResult, evaluate
 from jounce.inspection.archive.exporting import VALUES
+from jounce.inspection.grading import grade
 from jounce.inspection.methods import QUANTITIES
 from jounce.inspection.quantities import NUMBERS
 
@@ -121,3 +122,11 @@ def test_every_number_of_a_wheel_is_described_once() -> None:
     assert told <= set(NUMBERS)
     assert list(VALUES) == list(NUMBERS)
     assert set(QUANTITIES) < set(NUMBERS)
+
+
+def test_a_graded_axle_prints_values_verdict_and_reasons(inspection) -> None:
+    text = str(grade(inspection))
+    table, *reasons = text.split("\nverdict")
+    assert text.startswith("rear: pass")
+    assert max(map(len, table.splitlines())) <= 80
+    assert "left: " in reasons[0]
