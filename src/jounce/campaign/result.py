@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
+from jounce.campaign.belt import TrialOnBelt
 from jounce.campaign.characterise import Characterisation, Knowledge
 from jounce.campaign.description import Campaign, TrialEntry
 from jounce.core.findings import Finding
@@ -186,7 +187,7 @@ class TrialResult(Shown):
     """One trial: before (characterised model) and after (last update); None where a recording could not be used.
 
     ``obstacle_pitch`` is the distance of the obstacles of a train in m, None for a single one. ``motion`` is that of
-    the model after the last update.
+    the model after the last update, ``belt`` what was found of belt and passages where the record begins in motion.
     """
 
     entry: TrialEntry
@@ -196,6 +197,7 @@ class TrialResult(Shown):
     signals_before: dict[str, Signals]
     signals: dict[str, Signals]
     motion: TrialMotion | None = None
+    belt: TrialOnBelt | None = None
 
 
 @dataclass(frozen=True)
@@ -341,4 +343,19 @@ def _trial(trial: TrialResult) -> dict[str, Any]:
         "verdict": after.verdict if after else "not usable",
         "objective": to_plain(after.objective) if after else None,
         "before": {"channels": to_plain(before.channels), "verdict": before.verdict} if before else None,
+        **({"belt": _belt(trial.belt)} if trial.belt else {}),
+    }
+
+
+def _belt(found: TrialOnBelt) -> dict[str, Any]:
+    passages = found.passages
+    return {
+        "noted_speed": found.noted,
+        "pulse_speed": found.pulses,
+        "speed": found.speed,
+        "slip": found.slip,
+        "passages": list(passages.times),
+        "period": passages.period,
+        "repeatability": passages.repeatability,
+        "odd": list(passages.odd),
     }

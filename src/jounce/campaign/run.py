@@ -529,7 +529,7 @@ class Runner:
         before, curves_before, _, _ = self._comparison(item, start, lag)
         after, curves, notes, motion = self._comparison(item, final, lag)
         self.findings += _without_repeats(notes)
-        return TrialResult(entry, pitch, before, after, curves_before, curves, motion)
+        return TrialResult(entry, pitch, before, after, curves_before, curves, motion, item.facts)
 
     def _comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
         """Compare a trial with a model; what has been compared is not run again. A failure is a finding."""

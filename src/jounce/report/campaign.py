@@ -308,11 +308,40 @@ def trials(result: CampaignResult) -> Section:
     rows = tuple(_setting(trial) for trial in result.trials)
     header = ("trial", "use", "speed", "road", "obstacle pitch", "strut angle", "tyre pressure", "recording")
     blocks: list[Block] = [Table("Test matrix", header, rows, "llrlrrrl")]
+    if any(trial.belt is not None for trial in result.trials):
+        blocks.append(_belt_table(result))
     roads = _roads_of(result)
     if roads:
         words = f"Height profiles of the roads {', '.join(roads)}."
         blocks.append(Chart(road_panels(roads), "roads", "Road profiles: height against distance.", words, columns=1))
     return Section("Trials and roads", tuple(blocks))
+
+
+def _belt_table(result: CampaignResult) -> Table:
+    """Speed of the belt as noted, by pulses and by recurrence; passages, and how far their loops are alike."""
+    rows = []
+    for trial in result.trials:
+        found = trial.belt
+        if found is None:
+            continue
+        passages = found.passages
+        repeatability = ", ".join(f"{name} {percent(share)}" for name, share in passages.repeatability.items())
+        odd = f" (without {', '.join(map(str, passages.odd))})" if passages.odd else ""
+        rows.append(
+            (
+                str(trial.entry.number),
+                given(found.noted, "m/s", "speed"),
+                given(found.pulses, "m/s", "speed"),
+                given(found.speed, "m/s", "speed"),
+                "–" if found.slip is None else percent(found.slip),
+                f"{len(passages.times)}{odd}",
+                given(passages.times[0], "s"),
+                repeatability or "–",
+            )
+        )
+    header = ("trial", "speed noted", "by pulses", "driven", "slip", "passages", "first at", "scatter between loops")
+    note = "Scatter: r.m.s. of the differences between loops of the belt over the r.m.s. of their average."
+    return Table("Belt and passages", header, tuple(rows), "lrrrrrrl", note)
 
 
 def _driven(entry: TrialEntry) -> str:

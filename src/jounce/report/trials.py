@@ -157,8 +157,11 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
     drive, last = trial.motion.trial, float(trial.motion.time[-1])
     edges = drive.segments().edges
     begin = float(edges[1]) if drive.road is not None and drive.road.start > 0.0 and len(edges) > 2 else 0.0
-    end = min(drive.end(), last)
-    return (begin, end) if 0.0 < end - begin < 0.8 * last else None
+    loops = 0.0  # a record that begins on a running belt
+    if drive.road is not None and drive.road.recurrence is not None:
+        loops = float(trial.motion.time[0])
+    end = min(drive.end() + loops, last)
+    return (begin + loops, end) if 0.0 < end - begin - loops < 0.8 * last else None
 
 
 def _mechanisms(result: CampaignResult) -> dict[float | None, Mechanism]:
