@@ -69,7 +69,7 @@ def test_what_is_done_on_german_pages_is_german(browser: Any, workbench: tuple[P
     page.get_by_role("region", name="Räder").get_by_text("grün, über dem Bestbereich").first.wait_for()
     why = page.locator("details", has_text="Gründe")
     why.locator("summary").click()
-    told = why.get_by_text(re.compile(r"^links: kleinster Phasenwinkel \(EGEA\) [\d.]+° ± [\d.]+°: ausreichend"))
+    told = why.get_by_text(re.compile(r"^links: Kleinster Phasenwinkel \(EGEA\) [\d,]+° ± [\d,]+°: ausreichend"))
     told.get_by_text("(ab 35°), bestanden. Grenzwerte: EGEA SPECSUS2018, absolutes Kriterium").wait_for()
     why.get_by_text("Unterschied links zu rechts, relative Kraftamplitude").wait_for()
     assert why.locator("[lang=en]").all_inner_texts() == []

@@ -14,7 +14,7 @@ from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection import checks
-from jounce.inspection.findings import problem, warning
+from jounce.inspection.findings import problem, sentence_of, warning
 from jounce.inspection.methods import METHODS, WheelTest, find_boge, methods_on, stroke_by_turn
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
 from jounce.inspection.result import FIELDS, Inspection, WheelCurves, WheelResult
@@ -213,8 +213,10 @@ def _concerns(finding: Finding, side: str) -> bool:
 
 
 def _unfit(wheel: str, findings: list[Finding], load: float | None = None) -> WheelResult:
-    reasons = tuple(finding.message for finding in findings if finding.severity == "problem")
-    return WheelResult(wheel, static_load=load, findings=tuple(findings), reasons=reasons)
+    problems = [item for item in findings if item.severity == "problem"]
+    reasons, german = (tuple(sentence_of(item, language) for item in problems) for language in ("en", "de"))
+    said = {"reasons": german}
+    return WheelResult(wheel, static_load=load, findings=tuple(findings), reasons=reasons, german=said)
 
 
 def _evaluate_wheels(

@@ -364,11 +364,16 @@ def _with_grades(
             grade={method: band.label for method, band in one.bands.items()},
             verdict=one.verdict,
             reasons=sentences_of(one.reasons),
+            german={
+                "grade": {method: band.words("de") for method, band in one.bands.items()},
+                "reasons": sentences_of(one.reasons, "de"),
+            },
         )
         for wheel, one in zip(inspection.wheels, grades, strict=True)
     )
     found = {one.quantity: one.to_dict() for one in differences}
     axle = {**inspection.axle, "differences": found, "verdict": verdict, "reasons": list(sentences_of(reasons))}
+    axle["german"] = {"reasons": list(sentences_of(reasons, "de"))}
     return replace(inspection, wheels=wheels, axle=axle)
 
 

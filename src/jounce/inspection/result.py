@@ -90,6 +90,8 @@ class WheelResult(Plain):
         Why; first of all what makes the record unfit.
     findings : tuple of Finding
         What weakens the values.
+    german : mapping
+        Its ``reasons`` and the bands of its ``grade`` in German.
     curves : WheelCurves or None
         What the plate and the tyre force do over frequency.
     more : mapping of str to float or None
@@ -117,6 +119,7 @@ class WheelResult(Plain):
     verdict: str = NOT_GRADED
     reasons: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
+    german: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     curves: WheelCurves | None = field(default=None, repr=False)
     more: Mapping[str, float | None] = field(default_factory=dict)
 
@@ -161,6 +164,7 @@ class WheelResult(Plain):
             "verdict": self.verdict,
             "reasons": self.reasons,
             "findings": self.findings,
+            "german": self.german,
         }
         return plain_table(table)
 

@@ -2,7 +2,6 @@
 
 import { make } from "../page";
 import { heard, isGerman, tr } from "../words";
-import { found } from "./findings";
 
 const PHRASES: Record<string, string> = {
   "the key is missing and has no default": "der Schlüssel fehlt und hat keinen Vorgabewert",
@@ -363,9 +362,7 @@ export class Refused extends Error {
 /** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
 export function asSaid(message: string): Node | string {
   const given = raised(message),
-    known = found(given, told);
-  if (known) return known;
-  const text = told(given);
+    text = told(given);
   return isGerman && text === given && heard(given) === given && /[a-z] [a-z]/.test(given)
     ? make("span", { lang: "en" }, given)
     : heard(text);

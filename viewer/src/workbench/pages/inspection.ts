@@ -23,20 +23,23 @@ export interface Choices {
   controls: string[];
   roads: string[];
 }
-interface Wheel {
+interface Reasoned {
+  reasons: string[];
+  german?: { reasons?: string[]; grade?: Record<string, string> };
+}
+interface Wheel extends Reasoned {
   wheel: string;
   axle?: string;
   static_load: number | null;
   verdict: string;
   grade: Record<string, string>;
-  reasons: string[];
   uncertainty: Record<string, number>;
   findings: { severity: string; message: string }[];
   [quantity: string]: unknown;
 }
 interface Graded {
   wheels: Wheel[];
-  axle?: { axle: string; verdict: string; reasons: string[] };
+  axle?: Reasoned & { axle: string; verdict: string };
   verdict: string;
   deciding: string[];
   limits: { label: string; source: string };
@@ -52,6 +55,9 @@ const TONES: Record<string, string> = {
   fail: "bad",
   "not graded": "bad",
 };
+/** Reasons of a verdict in the language of the page. */
+const reasonsOf = (about?: Reasoned): (Node | string)[] =>
+  (isGerman && about?.german?.reasons) || (about?.reasons ?? []).map(asSaid);
 const mark = (verdict: string) =>
   make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
 
@@ -295,7 +301,7 @@ function graded(found: Graded): HTMLElement[] {
         ]),
         ...methods.map((method) => [
           tr("grade #", method.toUpperCase()),
-          ...wheels.map((one) => (one.grade[method] ? asSaid(one.grade[method]) : "–")),
+          ...wheels.map((one) => (isGerman && one.german?.grade?.[method]) || one.grade[method] || "–"),
           "",
         ]),
       ],
@@ -304,9 +310,9 @@ function graded(found: Graded): HTMLElement[] {
   );
   const reasons = [
     ...wheels.flatMap((one) =>
-      one.reasons.map((text) => make("li", {}, `${name(one)}: `, asSaid(text))),
+      reasonsOf(one).map((text) => make("li", {}, `${name(one)}: `, text)),
     ),
-    ...(found.axle?.reasons ?? []).map((text) => make("li", {}, asSaid(text))),
+    ...reasonsOf(found.axle).map((text) => make("li", {}, text)),
     ...wheels.flatMap((one) =>
       advised(
         one.findings.map((finding) => ({ ...finding, place: name(one) })),

@@ -1,38 +1,15 @@
-"""Messages of findings as templates, read from the sources that make them: `#` stands for what is filled in."""
+"""Texts that say how far a job is, as templates read from their sources: `#` stands for what is filled in."""
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 from pathlib import Path
 
 Texts = dict[str, list[ast.expr]]
 """What a name may have been set to."""
-
-
-def templates_of(file: Path, but: Collection[str] = ()) -> set[str]:
-    """Every message that a module, but some functions, gives a finding; what comes from elsewhere is left out."""
-    found: set[str] = set()
-    if "Finding(" not in (text := file.read_text(encoding="utf-8")):
-        return found
-    tree = ast.parse(text)
-    constants = {name: [value] for _, name, value in _texts(tree)}
-    saying = {"Finding": 2} | dict(_sayers(tree))
-    for scope in ast.walk(tree):
-        if isinstance(scope, ast.FunctionDef) and scope.name not in but:
-            set_to, since = sorted(_texts(scope), key=lambda one: one[0]), 0
-            calls = [one for one in ast.walk(scope) if isinstance(one, ast.Call) and _called(one) in saying]
-            for call in sorted(calls, key=lambda one: one.lineno):
-                if len(call.args) > (place := saying[_called(call)]):
-                    before = [one for one in set_to if one[0] < call.lineno]
-                    known = constants | {name: [value] for _, name, value in before}
-                    for _, name, value in (one for one in before if one[0] > since):  # one of these, whichever it was
-                        known[name] = [*(one for one in known[name] if one is not value), value]
-                    found |= set(_said(call.args[place], known))
-                since = call.lineno
-    return {re.sub("#+", "#", one) for one in found if one.strip("#:;. ")}
 
 
 def progress_of(file: Path) -> set[str]:
@@ -52,25 +29,6 @@ def progress_of(file: Path) -> set[str]:
 
 def _called(call: ast.Call) -> str:
     return getattr(call.func, "id", getattr(call.func, "attr", ""))
-
-
-def _sayers(tree: ast.Module) -> Iterator[tuple[str, int]]:
-    """Functions that make a finding of a message they are given, and which of their arguments it is."""
-    for scope in ast.walk(tree):
-        if not isinstance(scope, ast.FunctionDef):
-            continue
-        names = [one.arg for one in scope.args.args if one.arg != "self"]
-        for call in ast.walk(scope):
-            if isinstance(call, ast.Call) and _called(call) == "Finding" and len(call.args) > 2:
-                message = getattr(call.args[2], "id", "")
-                if message in names:
-                    yield scope.name, names.index(message)
-
-
-def template_of(sentence: str) -> tuple[str, list[str]]:
-    """Give a format with named fields as a template, and the names in their order."""
-    names: list[str] = re.findall(r"\{(\w+)[^}]*\}", sentence)
-    return re.sub(r"\{\w+[^}]*\}", "#", sentence), names
 
 
 def _texts(scope: ast.FunctionDef | ast.Module) -> Iterator[tuple[int, str, ast.expr]]:
@@ -121,14 +79,3 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
 
 def _is_said(value: ast.expr, texts: Texts) -> bool:
     return (isinstance(value, ast.IfExp) and _is_text(value)) or (isinstance(value, ast.Name) and value.id in texts)
-
-
-def german_of(english: str, german: str, least: int = 12) -> tuple[str, str] | None:
-    """Give a sentence with named fields as templates, the fields of the German one numbered as those of the English.
-
-    What says nothing itself, less than so many letters, and what the German one gives from elsewhere, has none.
-    """
-    template, names = template_of(english)
-    if len(re.sub("[^a-z]", "", template)) < least or not set(template_of(german)[1]) <= set(names):
-        return None
-    return template, re.sub(r"\{(\w+)[^}]*\}", lambda field: f"#{names.index(field[1]) + 1}", german)
