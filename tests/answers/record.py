@@ -173,8 +173,8 @@ def differences(old: Any, new: Any, place: str = "") -> Iterator[str]:
     """Name the places at which two answers differ."""
     if isinstance(old, Mapping) and isinstance(new, Mapping):
         for key in [*old, *(key for key in new if key not in old)]:
-            if key in ("code", "numbers") and key not in old:
-                continue  # of findings that have them since the record
+            if key in ("code", "numbers", "german") and key not in old:
+                continue  # findings and reasons have them since the record was made
             if key not in old or key not in new:
                 yield f"{place}.{key}: {'added' if key in new else 'lost'}"
             else:
