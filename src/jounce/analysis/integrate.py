@@ -12,6 +12,7 @@ from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, ch
 from jounce.core.errors import DescriptionError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Mark, Number, operation
+from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -66,16 +67,16 @@ class IntegratedChannel(Plain):
     """
 
     left_out = ("velocity", "displacement")
-    channel: str
+    channel: Annotated[str, Shows("channel")]
     velocity_channel: str
-    displacement_channel: str
+    displacement_channel: Annotated[str, Shows("displacement")]
     unit: str
-    corner: float
-    band: tuple[float, float]
+    corner: Annotated[float, Shows("corner", "Hz")]
+    band: Annotated[tuple[float, float], Shows("amplitudes within 5 %", "Hz")]
     noise: float
-    velocity_error: float
-    displacement_error: float
-    removed: float
+    velocity_error: Annotated[float, Shows("noise adds to velocity", lambda one: one.velocity_unit)]
+    displacement_error: Annotated[float, Shows("noise adds to displacement", lambda one: one.displacement_unit)]
+    removed: Annotated[float, Shows("removed", lambda one: one.displacement_unit)]
     velocity: Array
     displacement: Array
 
@@ -112,11 +113,11 @@ class Integration(Plain):
         The record that was integrated.
     """
 
-    record: str
-    motion: Motion
+    record: Annotated[str, Shows("record")]
+    motion: Annotated[Motion, Shows("motion")]
     time: Array
-    valid: tuple[float, float]
-    channels: tuple[IntegratedChannel, ...]
+    valid: Annotated[tuple[float, float], Shows("valid", "s")]
+    channels: Annotated[tuple[IntegratedChannel, ...], Shows("Channels")]
     findings: tuple[Finding, ...]
     source: Measured
 

@@ -41,6 +41,7 @@ from jounce.analysis.transfer import check_moving, sliding_model, whitened
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, Switch, Texts, operation
+from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, student_factor
@@ -74,11 +75,11 @@ class MeasuredMode(Plain):
         The nearest mode of the model, Hz and 1.
     """
 
-    frequency: Estimate
-    damping_ratio: Estimate
-    orders: int
-    model_frequency: float | None = None
-    model_damping_ratio: float | None = None
+    frequency: Annotated[Estimate, Shows("frequency", "Hz")]
+    damping_ratio: Annotated[Estimate, Shows("damping ratio", "1")]
+    orders: Annotated[int, Shows("orders that agree")]
+    model_frequency: Annotated[float | None, Shows("model", "Hz")] = None
+    model_damping_ratio: Annotated[float | None, Shows("damping ratio of the model", "1")] = None
 
     @property
     def damped_frequency(self) -> float:
@@ -120,16 +121,16 @@ class FittedModes(Plain):
         What was not found, and what the estimate takes for granted.
     """
 
-    record: str
-    kind: Kind
-    outputs: tuple[str, ...]
-    given: str
-    begin: float
-    end: float
-    sample_rate: float
-    band: tuple[float, float]
-    segment: float
-    modes: tuple[MeasuredMode, ...]
+    record: Annotated[str, Shows("record")]
+    kind: Annotated[Kind, Shows("fitted to")]
+    outputs: Annotated[tuple[str, ...], Shows("outputs")]
+    given: Annotated[str, Shows("input")]
+    begin: Annotated[float, Shows("from", "s")]
+    end: Annotated[float, Shows("to", "s")]
+    sample_rate: Annotated[float, Shows("sample rate", "Hz")]
+    band: Annotated[tuple[float, float], Shows("band", "Hz")]
+    segment: Annotated[float, Shows("segment", "s")]
+    modes: Annotated[tuple[MeasuredMode, ...], Shows("Modes")]
     stabilisation: Stabilisation
     frequency: Array
     measured: Complex

@@ -26,6 +26,7 @@ from jounce.analysis.record import (
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import operation
+from jounce.core.results import Shows, own_unit
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -55,9 +56,9 @@ class SpectralPeak(Plain):
         Density over that of the valley beside it (1).
     """
 
-    frequency: float
+    frequency: Annotated[float, Shows("frequency", "Hz")]
     rms: float
-    ratio: float
+    ratio: Annotated[float, Shows("above the valley beside it", "1")]
 
 
 @dataclass(frozen=True)
@@ -78,12 +79,12 @@ class ChannelSpectrum(Plain):
         By rising frequency.
     """
 
-    channel: str
+    channel: Annotated[str, Shows("channel")]
     label: str
     unit: str
     frequency: Array
     density: Array
-    rms: float
+    rms: Annotated[float, Shows("r.m.s. within the band", own_unit)]
     peaks: tuple[SpectralPeak, ...]
 
 
@@ -119,19 +120,19 @@ class RecordSpectra(Plain):
         What was left out, and what weakens the spectra.
     """
 
-    record: str
-    begin: float
-    end: float
-    sample_rate: float
-    band: tuple[float, float]
-    window: str
-    segment: float
-    resolution: float
-    averages: float
-    degrees_of_freedom: float
-    confidence: float
-    interval: tuple[float, float]
-    channels: tuple[ChannelSpectrum, ...]
+    record: Annotated[str, Shows("record")]
+    begin: Annotated[float, Shows("from", "s")]
+    end: Annotated[float, Shows("to", "s")]
+    sample_rate: Annotated[float, Shows("sample rate", "Hz")]
+    band: Annotated[tuple[float, float], Shows("band", "Hz")]
+    window: Annotated[str, Shows("window")]
+    segment: Annotated[float, Shows("segment", "s")]
+    resolution: Annotated[float, Shows("resolution", "Hz")]
+    averages: Annotated[float, Shows("independent segments", "1")]
+    degrees_of_freedom: Annotated[float, Shows("degrees of freedom", "1")]
+    confidence: Annotated[float, Shows("confidence", "%")]
+    interval: Annotated[tuple[float, float], Shows("interval, of a density", "1")]
+    channels: Annotated[tuple[ChannelSpectrum, ...], Shows("Channels")]
     findings: tuple[Finding, ...]
 
     def rows(self) -> list[dict[str, Any]]:

@@ -11,6 +11,7 @@ import numpy as np
 from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, chosen, measured
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import operation
+from jounce.core.results import Shows, own_unit
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, estimate
@@ -50,22 +51,22 @@ class ChannelStatistics(Plain):
         Change of the fitted straight line from the first to the last sample.
     """
 
-    channel: str
+    channel: Annotated[str, Shows("channel")]
     label: str
     unit: str
     samples: int
-    mean: Estimate
-    rms: Estimate
-    standard_deviation: float
-    minimum: float
-    maximum: float
+    mean: Annotated[Estimate, Shows("mean", own_unit)]
+    rms: Annotated[Estimate, Shows("r.m.s.", own_unit)]
+    standard_deviation: Annotated[float, Shows("standard deviation", own_unit)]
+    minimum: Annotated[float, Shows("minimum", own_unit)]
+    maximum: Annotated[float, Shows("maximum", own_unit)]
     time_of_minimum: float
     time_of_maximum: float
-    crest_factor: float
-    skewness: float
-    kurtosis: float
-    crossings: float
-    drift: float
+    crest_factor: Annotated[float, Shows("crest factor", "1")]
+    skewness: Annotated[float, Shows("skewness", "1")]
+    kurtosis: Annotated[float, Shows("kurtosis", "1")]
+    crossings: Annotated[float, Shows("crossings per second", "Hz")]
+    drift: Annotated[float, Shows("drift", own_unit)]
 
     @property
     def peak_to_peak(self) -> float:
@@ -94,11 +95,11 @@ class RecordStatistics(Plain):
     """
 
     left_out = ("source",)
-    record: str
-    begin: float
-    end: float
-    sample_rate: float
-    channels: tuple[ChannelStatistics, ...]
+    record: Annotated[str, Shows("record")]
+    begin: Annotated[float, Shows("from", "s")]
+    end: Annotated[float, Shows("to", "s")]
+    sample_rate: Annotated[float, Shows("sample rate", "Hz")]
+    channels: Annotated[tuple[ChannelStatistics, ...], Shows("Channels")]
     findings: tuple[Finding, ...]
     source: Measured
 

@@ -28,6 +28,7 @@ from jounce.analysis.spectrum import check_confidence, segment_samples
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Mark, operation
+from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
@@ -91,21 +92,21 @@ class TransferEstimate(Plain):
         Frequencies without coherence or excitation, and what the estimate takes for granted.
     """
 
-    record: str
-    output: str
-    given: str
+    record: Annotated[str, Shows("record")]
+    output: Annotated[str, Shows("output")]
+    given: Annotated[str, Shows("input")]
     output_unit: str
     given_unit: str
-    estimator: Estimator
-    begin: float
-    end: float
-    sample_rate: float
-    window: str
-    segment: float
-    resolution: float
-    averages: float
-    confidence: float
-    significant: float
+    estimator: Annotated[Estimator, Shows("estimator")]
+    begin: Annotated[float, Shows("from", "s")]
+    end: Annotated[float, Shows("to", "s")]
+    sample_rate: Annotated[float, Shows("sample rate", "Hz")]
+    window: Annotated[str, Shows("window")]
+    segment: Annotated[float, Shows("segment", "s")]
+    resolution: Annotated[float, Shows("resolution", "Hz")]
+    averages: Annotated[float, Shows("independent segments", "1")]
+    confidence: Annotated[float, Shows("confidence", "%")]
+    significant: Annotated[float, Shows("coherence by chance, below", "1")]
     frequency: Array
     response: NDArray[np.complex128]
     coherence: Array
