@@ -286,7 +286,7 @@ def _density(used: Measured, values: Array) -> Spectrum:
 
 def _level(values: Array) -> Array:
     """Values less their straight line."""
-    away = values - values.mean()
+    away: Array = values - values.mean()
     steps = np.arange(values.size) - 0.5 * (values.size - 1)
     away -= (float(steps @ away) / float(steps @ steps)) * steps
     return away

@@ -271,7 +271,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
     power = power_spectrum(used.values(given), used.rate, segment=count / used.rate, window=window).density[inside]
     doubts = [*_incoherent(used.name, frequency, coherence, power, significant), *words]
-    doubts += _flattened(used.name, frequency, abs(response), error, resolution)
+    doubts += _flattened(used.name, frequency, np.abs(response), error, resolution)
     return TransferEstimate(
         used.name,
         output,
