@@ -26,14 +26,14 @@ def test_modes(cli, car: str) -> None:
     assert [mode["frequency_hz"] for mode in found["modes"]] == [mode.frequency_hz for mode in expected]
     assert found["equilibrium"]["body.z"] == jn.equilibrium(jn.load(car))["body.z"]
     text = cli("modes", car).out
-    assert "|body.pitch|" in text
+    assert "body.pitch" in text
     assert max(map(len, text.splitlines())) < 200
 
 
-def test_shapes_of_many_wheels_are_a_table_of_their_own(cli) -> None:
-    rows = [line for line in cli("modes", FULL).out.splitlines() if line.strip().startswith("|")]
-    assert [row.split()[0] for row in rows] == [f"|{name}|" for name in jn.modes(jn.load(FULL))[0].shape]
-    assert "Shapes" not in cli("modes", HALF).out
+def test_shapes_are_a_table_of_their_own(cli) -> None:
+    shapes = cli("modes", FULL).out.partition("Amplitudes of the shapes")[2].splitlines()[3:]
+    names = list(jn.modes(jn.load(FULL))[0].shape)
+    assert [row.split()[0] for row in shapes[: len(names)]] == names
 
 
 def test_check(cli, tmp_path: Path) -> None:

@@ -333,12 +333,12 @@ _HIGHEST = 50.0  # Hz
 _POINT_SIZE = 200.0  # points^2, of the ride with the greatest travel
 
 
-@styled
 def study_spectra(study: RideStudy, *, title: str) -> Figure:
     """Draw the spectra of all rides of a study, with those of the linear model."""
     return ride_spectra(study.rides, study.stationary, title)
 
 
+@styled
 def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = None, title: str = "") -> Figure:
     """Draw power spectral densities of the body's acceleration ((m/s²)²/Hz) and of all wheel loads (N²/Hz).
 
