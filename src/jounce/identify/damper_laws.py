@@ -42,14 +42,20 @@ _DESCRIBED: dict[str, type[DamperLaw]] = {
 
 @dataclass(frozen=True)
 class AlongPath(SampledPoint):
-    """Operating points in the order in which a damper passes them; ``start`` is its state at the first."""
+    """Operating points in the order in which a damper passes them.
 
-    start: float = 0.0
+    ``start`` is its state at the first; without one the state that the stroke before a first turn leaves.
+    """
+
+    start: float | None = None
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Array:  # noqa: ARG002 - of its closed steps
         """Follow the normalised Bouc-Wen state along the path."""
+        x, start = np.ascontiguousarray(self.deflection), self.start
+        if start is None:
+            start = -float(np.sign(x[np.argmax(np.abs(x - x[0]) > 0.05 * np.ptp(x))] - x[0]))
         shapes = {shape: float(self.number(shape)) for shape in BoucWenDamper.shapes}
-        return bouc_wen_path(np.ascontiguousarray(self.deflection), start=self.start, **shapes)
+        return bouc_wen_path(x, start=start, **shapes)
 
 
 def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float) -> float:
@@ -82,7 +88,7 @@ def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, fre
     law = as_damper(damper)
     phase = np.linspace(0.0, 4.0 * np.pi, 2 * _CYCLE + 1)  # the first cycle brings a law with a memory into its state
     x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
-    power = (law.evaluate(AlongPath(partial(getattr, law), v, x)) * v)[_CYCLE:]
+    power = (law.evaluate(AlongPath(partial(getattr, law), v, x, start=0.0)) * v)[_CYCLE:]
     return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
 
 
@@ -151,10 +157,11 @@ def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
     kind = _DESCRIBED[name]
 
     def columns(x: Array, v: Array, shapes: Array) -> Array:
-        side = np.sign(x[np.argmax(np.abs(x - x[0]) > 0.05 * np.ptp(x))] - x[0])
         numbers = dict(zip(kind.shapes, shapes, strict=True))
-        basis = kind.basis(AlongPath(numbers.__getitem__, v, x, start=-float(side)))
-        return np.column_stack([np.broadcast_to(column, v.shape) for column in basis])
+        matrix = np.empty((len(v), len(kind.weights)))
+        for i, column in enumerate(kind.basis(AlongPath(numbers.__getitem__, v, x))):
+            matrix[:, i] = column
+        return matrix
 
     def table(values: Mapping[str, float]) -> dict[str, Any]:
         numbers = {key: values[key] for key in kind.model_fields if key != "kind"}
