@@ -15,9 +15,9 @@ import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
-from jounce.cli.reply import Elapsed, _in_chosen_units, console, show_findings, table
+from jounce.cli.reply import Elapsed, console, show_findings, table
 from jounce.cli.tables import FittedTable
-from jounce.core.display import chosen_units, shown_in
+from jounce.core.display import chosen_units
 from jounce.core.findings import Finding
 
 RIG = "kart-quarter-car"
@@ -148,15 +148,6 @@ def test_completion_without_a_home_is_printed_only(cli, monkeypatch: pytest.Monk
     assert cli("completion", "bash").exit_code == 0
 
 
-def test_rows_that_go_on_have_the_unit_of_the_row_above() -> None:
-    rows = [("force", "N", "left", 4.4482216), ("", "", "right", 44.482216), ("ratio", "1", "left", 2.0)]
-    with shown_in("imperial"):
-        _, found = _in_chosen_units(("force", "unit", "wheel", "static"), rows)
-    shown = [list(row) for row in found]
-    assert [row[1] for row in shown] == ["lbf", "", "1"]
-    assert [row[3] for row in shown] == pytest.approx([1.0, 10.0, 2.0])
-
-
 def test_tables_in_imperial_units_and_json_in_si(cli, bump: Path) -> None:
     run = ("simulate", RIG, "--road", bump, "--speed", "20 m/s", "--duration", "0.1 s")
     shown = re.sub(r"[ \n]+", " ", cli(*run, "--units", "imperial").out)
@@ -170,30 +161,12 @@ def test_tables_in_imperial_units_and_json_in_si(cli, bump: Path) -> None:
     assert " N " in cli(*run).out
 
 
-def test_every_number_of_a_table_follows_its_unit() -> None:
-    def text(columns: tuple[str, ...], *rows: tuple[object, ...]) -> str:
-        shown = io.StringIO()
-        out = console()
-        out.file = shown
-        out.print(table("", columns, rows))
-        return re.sub(r"\s+", " ", shown.getvalue())
-
-    with shown_in("imperial"):
-        # 1 in = 25.4 mm, 1 lb = 0.45359237 kg, 1 lbf = 4.4482216152605 N
-        assert "spring lbf/in static in natural Hz" in text(
-            ("spring N/mm", "static mm", "natural Hz"), (1.0, 25.4, 2.0)
-        )
-        assert "5.7101 1 2" in text(("spring N/mm", "static mm", "natural Hz"), (1.0, 25.4, 2.0))
-        assert "speed mph" in text(("speed m/s",), (0.44704,))
-        assert "gain °/in 25.4" in re.sub("─", "", text(("gain deg/mm",), (1.0,))).replace("  ", " ")
-        rows = (("mass", "kg", 0.45359237, 3.0), ("share", "1", 0.5, 3.0), ("force", "N", "4.4 ± 0.1", 3.0))
-        found = text(("", "unit", "value", "at s"), *rows)
-        assert "mass lb 1 3" in found
-        assert "share 1 0.5 3" in found
-        assert "force N 4.4 ± 0.1 3" in found  # what stands in words keeps its unit
-        reasons = text(("", "unit", "3-D", "reason"), ("rate", "N/m", 1000.0, "3-D: 2 links"))
-        assert "rate lbf/in 5.7101 3-D: 2 links" in reasons
-    assert "spring N/mm" in text(("spring N/mm",), (1.0,))
+def test_parameters_of_a_rig_in_imperial_units(cli) -> None:
+    words = ("check", RIG, "--parameters")
+    shown = [line.split() for line in cli(*words, "--units", "imperial").out.splitlines()]
+    assert ["strut.spring.rate", "129.79", "lbf/in"] in shown  # 22.73 N/mm
+    assert ["sprung.mass", "35.274", "lb"] in shown
+    assert ["strut.spring.rate", "22730", "N/m"] in [line.split() for line in cli(*words).out.splitlines()]
 
 
 def printed(rows: list[tuple[str, float]], width: int = 100) -> list[str]:

@@ -12,6 +12,7 @@ import typer
 
 from jounce.cli.options import LENGTH, AsJson, Force, optional_positive
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, table, tell
+from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.files import matching_files
 
@@ -81,8 +82,14 @@ def _draw_checked(out: Console, plain: dict[str, Any]) -> None:
             out.print(note)
     for item in plain["files"]:
         if item.get("parameters"):
-            numbers = [(path, found["value"], found["unit"]) for path, found in item["parameters"].items()]
+            numbers = [_shown(path, **number) for path, number in item["parameters"].items()]
             out.print(table(f"{item['file']}: parameters", ("path", "value", "unit"), numbers, text=(0, 2)))
+
+
+def _shown(path: str, value: float, unit: str) -> tuple[str, float, str]:
+    """Give a number of a rig in the unit that is chosen."""
+    shown = shown_as(unit, path, abs(value))
+    return path, value * shown.factor, shown.name
 
 
 def library(

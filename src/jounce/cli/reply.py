@@ -15,11 +15,10 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO, cast
+from typing import TYPE_CHECKING, Any, TextIO
 from unicodedata import category
 
 from jounce.cli.tables import FittedTable
-from jounce.core.display import chosen_units, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import DrawingError
 from jounce.core.text import visible
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
 
     from jounce.core.catalogue import Severity
     from jounce.core.findings import Finding
-    from jounce.identify.estimate import Estimate
 
 
 PIPED_WIDTH = 140
@@ -344,57 +342,9 @@ def table(
 ) -> FittedTable:
     """Build a table; columns are numbers and stand to the right but those listed in ``text``.
 
-    Its units are those of the values given, in a column ``unit`` or at the end of a column's name; where others are
-    chosen, values and units are converted here. A terminal gets the first rows of long tables, but with ``--all``.
+    A terminal gets the first rows of long tables, but with ``--all``.
     """
-    names, cells = _in_chosen_units(columns, rows)
-    return FittedTable(title, names, [[cell(item) for item in row] for row in cells], text)
-
-
-_AT_END = re.compile(
-    r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm|m/km))"
-)
-_NUMBER_IN_WORDS = re.compile(r"[−-]?\d[\d.e+−-]*(?:\s|±|…|$)")
-_OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|R-hat|draws|full size / prototype))")
-"""Names of columns that have a unit of their own beside a column ``unit``."""
-
-
-def _in_chosen_units(
-    columns: Sequence[str], rows: Iterable[Sequence[object]]
-) -> tuple[Sequence[str], Iterable[Sequence[object]]]:
-    """The same table in the units that are chosen; numbers that stand in text keep theirs, with their unit."""
-    if chosen_units() == "metric":
-        return columns, rows
-    names, cells = list(columns), [list(row) for row in rows]
-    if "unit" in names:
-        at = names.index("unit")
-        free = [i for i, name in enumerate(names) if i != at and not _OWN.fullmatch(name)]
-        above = 1.0
-        for row in cells:
-            if any(isinstance(row[i], str) and _NUMBER_IN_WORDS.match(str(row[i])) for i in free[1:]):
-                continue  # a number with words around it
-            sizes = [i for i in free if isinstance(row[i], float)]
-            if row[0] == row[at] == "":  # what the row above names goes on
-                for i in sizes:
-                    row[i] = cast("float", row[i]) * above
-                continue
-            largest = max((abs(cast("float", row[i])) for i in sizes), default=0.0)
-            other = shown_as(str(row[at]), str(row[0]), largest)
-            row[at], above = other.name, other.factor
-            for i in sizes:
-                row[i] = cast("float", row[i]) * other.factor
-        return names, cells
-    for i, name in enumerate(names):
-        ended = _AT_END.fullmatch(name)
-        if ended is None:
-            continue
-        largest = max((abs(cast("float", row[i])) for row in cells if isinstance(row[i], float)), default=0.0)
-        other = shown_as(ended["inside"] or ended["bare"], name, largest)
-        names[i] = ended["words"] + (f"[{other.name}]" if ended["inside"] else other.name)
-        for row in cells:
-            if isinstance(row[i], float):
-                row[i] = cast("float", row[i]) * other.factor
-    return names, cells
+    return FittedTable(title, columns, [[cell(item) for item in row] for row in rows], text)
 
 
 def cell(value: object) -> str:
@@ -417,19 +367,6 @@ def number(value: float) -> str:
     if abs(value) < ROUNDING:
         return "0"
     return f"{value:.0f}" if 1e5 <= abs(value) < 1e7 else f"{value:.5g}"
-
-
-def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> FittedTable:
-    """Table of estimates: name, estimate and unit in each row."""
-    cells: list[tuple[object, ...]] = []
-    for name, found, unit in rows:
-        value, error, ends = (None,) * 3 if found is None else (found.value, found.standard_error, found.interval)
-        other = shown_as(unit, name, abs(value or 0.0))
-        value, error = (None if size is None else size * other.factor for size in (value, error))
-        between = ends and " … ".join(number(end * other.factor) for end in ends)
-        cells.append((name, value, error, between, other.name))
-    written = [[cell(item) for item in row] for row in cells]
-    return FittedTable(title, ("quantity", "value", "standard error", "95 % interval", "unit"), written, (0, 4))
 
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:
