@@ -152,10 +152,10 @@ def _memory_on_windows(handle: int) -> float:
             *((name, ctypes.c_size_t) for name in sizes),
         ]
 
-    found = Counters(size=ctypes.sizeof(Counters))
+    counters = Counters(size=ctypes.sizeof(Counters))
     ask = ctypes.WinDLL("kernel32").K32GetProcessMemoryInfo  # type: ignore[attr-defined,unused-ignore]
     ask.argtypes, ask.restype = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32), ctypes.c_int
-    return float(found.Pagefile) if ask(handle, ctypes.addressof(found), found.size) else 0.0
+    return float(counters.Pagefile) if ask(handle, ctypes.addressof(counters), counters.size) else 0.0
 
 
 # limits that a process holds itself to -------------------------------------------------------------------------------
@@ -185,7 +185,7 @@ def has_less_than(memory: float) -> bool:
     except ImportError:
         return False
     most = [resource.getrlimit(kind)[1] for kind in (resource.RLIMIT_DATA, resource.RLIMIT_AS)]
-    return any(0 <= one < _used_memory() + memory for one in most if one != resource.RLIM_INFINITY)
+    return any(0 <= limit < _used_memory() + memory for limit in most if limit != resource.RLIM_INFINITY)
 
 
 def _used_memory() -> float:

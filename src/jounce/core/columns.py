@@ -275,8 +275,8 @@ _MEMORY_A_BYTE = 25  # bytes of memory for each byte of a text file while it is 
 def _check_memory(size: int, file: Path) -> None:
     """Refuse a text that does not fit into memory, if known: it would end the process, or the machine."""
     try:
-        told = Path("/proc/meminfo").read_text(encoding="ascii")
-        free = 1024 * int(told.partition("MemAvailable:")[2].split()[0])
+        meminfo = Path("/proc/meminfo").read_text(encoding="ascii")
+        free = 1024 * int(meminfo.partition("MemAvailable:")[2].split()[0])
     except (OSError, ValueError, IndexError):
         return
     if size * _MEMORY_A_BYTE > free:
@@ -582,11 +582,11 @@ def _columns(
     if values is None and separator != "," and not any("." in row for row in rows):
         values = _plain_numbers([row.replace(",", ".") for row in rows], len(heads), separator)
         comma = values is not None and any("," in row for row in rows)
-    found: list[Array | RecordingError] = []
+    result: list[Array | RecordingError] = []
     parts: dict[int, tuple[NDArray[np.intp], Array] | None] = {}
     clocks: dict[int, str] = {}
     if values is not None:
-        found = [np.ascontiguousarray(column) for column in values.T]
+        result = [np.ascontiguousarray(column) for column in values.T]
     else:
         table = _table([_cells(line, separator) for line in rows], lines, heads, header, file, separator)
         marks = [_decimal_mark(column) for column in table]
@@ -597,26 +597,26 @@ def _columns(
             clock = seconds_of(cells) if not mark and (names_time(name) or unit in ("", "s")) else None
             if clock is not None:
                 clocks[position] = clock[1]
-                found.append(clock[0])
+                result.append(clock[0])
                 continue
             numbers, part = _numbers(cells, lines, f"column {head!r}", file, comma)
             parts[position] = None if mixed is not None and mark else part
-            found.append(mixed if mixed is not None and mark else numbers)
-    for position, numbers in enumerate(found):
+            result.append(mixed if mixed is not None and mark else numbers)
+    for position, numbers in enumerate(result):
         if not isinstance(numbers, RecordingError) and _may_have_thousands(numbers):
             cells = [_cells(line, separator)[position] for line in rows]
             fault = _thousands(cells, lines, f"{file}: column {heads[position]!r}")
-            found[position] = numbers if fault is None else fault
+            result[position] = numbers if fault is None else fault
     cells = [cell for line in rows[:_FEW] for cell in _cells(line, separator) if "," in cell] if comma else []
     are_grouped = len(cells) >= _FEWEST_THOUSANDS and all(_GROUPED.fullmatch(cell) for cell in cells)
     if are_grouped and separator == ",":  # in quotes: those who separate by commas seldom write decimals with them
         some = [_cells(line, separator) for line in rows[:_FEW]]
         marked = {i for i in range(len(heads)) if any("," in row[i] for row in some)}
         fault = _either(repr(cells[0]), str(file))
-        found = [fault if i in marked else column for i, column in enumerate(found)]
+        result = [fault if i in marked else column for i, column in enumerate(result)]
         comma = False
     columns = []
-    for position, (head, numbers) in enumerate(zip(heads, found, strict=True), 1):
+    for position, (head, numbers) in enumerate(zip(heads, result, strict=True), 1):
         name, unit = (head, units[position - 1]) if units else name_and_unit(head)
         fault = numbers if isinstance(numbers, RecordingError) else None
         if not name:

@@ -111,18 +111,18 @@ def _tried() -> bool:
         def beside() -> dict[str, xr.Variable]:
             return {"weight": xr.Variable(("along",), np.array([2.0, 5.0]), {"units": "kg"})}
 
-        made, right = (make(variables(), axes, {"by": "jounce"}, beside()) for make in (_direct, _public))
+        direct, expected = (make(variables(), axes, {"by": "jounce"}, beside()) for make in (_direct, _public))
         return (
-            made.identical(right)
-            and list(made.variables) == list(right.variables)
+            direct.identical(expected)
+            and list(direct.variables) == list(expected.variables)
             and all(
-                getattr(made, slot, None) == getattr(right, slot, None)
+                getattr(direct, slot, None) == getattr(expected, slot, None)
                 for slot in ("_coord_names", "_dims", "_attrs", "_encoding", "_close")
             )
-            and {slot for slot in made.__slots__ if hasattr(made, slot)}
-            == {slot for slot in right.__slots__ if hasattr(right, slot)}
-            and list(made.xindexes) == list(right.xindexes)
-            and made.sel(along=1.0).identical(right.sel(along=1.0))
+            and {slot for slot in direct.__slots__ if hasattr(direct, slot)}
+            == {slot for slot in expected.__slots__ if hasattr(expected, slot)}
+            and list(direct.xindexes) == list(expected.xindexes)
+            and direct.sel(along=1.0).identical(expected.sel(along=1.0))
         )
     except Exception:  # noqa: BLE001 - whatever it is that another version does
         return False

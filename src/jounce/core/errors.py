@@ -179,8 +179,8 @@ def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = Joun
     if is_of_system(error):
         return resource_error(error, where)
     if isinstance(error, MemoryError):
-        told = " ".join(str(error).split())
-        return kind("this takes more memory than there is", where=where, found=told or None)
+        message = " ".join(str(error).split())
+        return kind("this takes more memory than there is", where=where, found=message or None)
     text = shortened(f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE)
     hint = "Please report it with the file."
     return kind(f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint)

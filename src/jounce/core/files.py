@@ -108,7 +108,7 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *,
         if not stat.S_ISREG(found.st_mode):
             raise error("a pipe or a device, not a file", where=str(file))
         if found.st_size > most:
-            size, allowed = (f"{one / 1e9:.3g} GB" for one in (found.st_size, most))
+            size, allowed = (f"{number / 1e9:.3g} GB" for number in (found.st_size, most))
             raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {allowed}")
         with reading(file, error):
             return stream.read(most)

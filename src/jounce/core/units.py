@@ -65,11 +65,11 @@ def _plain_spelling(unit: str) -> str:
     >>> [_plain_spelling(text) for text in ("m/s2", "N·s/mm", "m s-2", "kNm/deg", "°/s²", "%")]
     ['m/s^2', 'N*s/mm', 'm s^-2', 'kN*m/deg', '°/s^2', 'percent']
     """
-    text = re.sub(r"⁻([¹²³⁴])", lambda found: f"^-{'¹²³⁴'.index(found[1]) + 1}", unit)
+    text = re.sub(r"⁻([¹²³⁴])", lambda match: f"^-{'¹²³⁴'.index(match[1]) + 1}", unit)
     text = text.translate(_AS_WRITTEN).replace("**", "^").replace("%", "percent").strip("'\"")
     text = re.sub(r"(?<=[A-Za-zµ°])(-?\d)(?![\dA-Za-z])", r"^\1", text)
     text = re.sub(r"(?<=[A-Za-z])\s*[.-]\s*(?=[A-Za-z])", "*", text)
-    return re.sub(r"[A-Za-z]+", lambda found: _WORDS.get(found[0], found[0]), text)
+    return re.sub(r"[A-Za-z]+", lambda match: _WORDS.get(match[0], match[0]), text)
 
 
 @lru_cache(maxsize=512)
@@ -150,20 +150,20 @@ def _factor_of_library(unit: str, si: str) -> float:
     registry = _registry()
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
     turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")
-    found = _parsed(_WHOLE.get(unit, unit) if turning else unit)
+    parsed = _parsed(_WHOLE.get(unit, unit) if turning else unit)
     wrong = f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}"
     try:
-        factor, thrice = (float(registry.Quantity(number, found).to(target).magnitude) for number in (1.0, 3.0))
+        factor, thrice = (float(registry.Quantity(number, parsed).to(target).magnitude) for number in (1.0, 3.0))
     except Exception as error:
         raise ValueError(wrong) from error
     if not math.isclose(thrice, 3.0 * factor, rel_tol=1e-9):  # dB, octaves, degrees Celsius
         raise ValueError(wrong)
-    angles = _angles(found)
+    angles = _angles(parsed)
     if si == "Hz" and angles == 1.0:
         return factor / (2.0 * math.pi)
-    if not (angles == _angles(target) or (angles == 0.0 and si.startswith("rad") and _has_dimensions(found))):
+    if not (angles == _angles(target) or (angles == 0.0 and si.startswith("rad") and _has_dimensions(parsed))):
         raise ValueError(wrong)
-    if si.startswith("rad/s") and "hertz" in str(found):
+    if si.startswith("rad/s") and "hertz" in str(parsed):
         raise ValueError(wrong)
     return factor
 

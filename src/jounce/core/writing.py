@@ -153,12 +153,12 @@ def _mode_of(file: Path) -> int | None:
         return None
 
 
-def _copy_mode(file: Path, made: Path, most: int = 0o777) -> None:
+def _copy_mode(file: Path, copy: Path, most: int = 0o777) -> None:
     """Copy the mode of the replaced file, if there is one."""
     mode = _mode_of(file)
     if mode is not None:
         with contextlib.suppress(OSError):  # a disk without modes
-            made.chmod(mode & most)
+            copy.chmod(mode & most)
 
 
 def sweep_beside(file: Path) -> None:
@@ -316,9 +316,9 @@ def _settle(aside: Path) -> bool:
 
     A folder that came with an archive may hold links: nothing is moved out of another folder, or into one.
     """
-    kept = aside / (_READY if _is_folder(aside / _READY) else _OLD)
-    files = [file for file in kept.rglob("*") if not _is_folder(file)] if _is_folder(kept) else []
-    targets = [aside.parent / file.relative_to(kept) for file in files]
+    source = aside / (_READY if _is_folder(aside / _READY) else _OLD)
+    files = [file for file in source.rglob("*") if not _is_folder(file)] if _is_folder(source) else []
+    targets = [aside.parent / file.relative_to(source) for file in files]
     root = aside.parent.resolve()
     for file, target in zip(files, targets, strict=True):
         with contextlib.suppress(OSError, OutputError):
@@ -413,17 +413,17 @@ def _sweep(folder: Path) -> None:
         # Names that others gave, files that are gone, folders in each other that no process of ours makes.
         with contextlib.suppress(OSError, ValueError, OverflowError, RecursionError):
             _, machine, process, rest = left.name.split("-", 3)
-            found = left.lstat()
-            if os.name == "posix" and found.st_uid != os.geteuid():
+            status = left.lstat()
+            if os.name == "posix" and status.st_uid != os.geteuid():
                 continue
             if machine != _machine() or os.name != "posix":  # clocks may jump: what runs here is not judged by them
-                ended = time.time() - found.st_mtime > _DAY
+                ended = time.time() - status.st_mtime > _DAY
             elif int(process) == os.getpid():
                 ended = not rest.startswith(_THIS_RUN)
             else:
                 ended = not _runs(int(process))
             if ended:
-                _remove(left) if stat.S_ISDIR(found.st_mode) else left.unlink()
+                _remove(left) if stat.S_ISDIR(status.st_mode) else left.unlink()
 
 
 def _runs(process: int) -> bool:

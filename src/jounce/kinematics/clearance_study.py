@@ -63,9 +63,9 @@ class ClearanceStudy(Plain):
     def findings(self) -> tuple[Finding, ...]:
         """Pairs that overlap."""
         return tuple(
-            Finding(name, "warning", f"the bodies overlap by {-1e3 * one['clearance']:.4g} mm.", one["clearance"])
-            for name, one in self.least.items()
-            if one["clearance"] < 0.0
+            Finding(name, "warning", f"the bodies overlap by {-1e3 * least['clearance']:.4g} mm.", least["clearance"])
+            for name, least in self.least.items()
+            if least["clearance"] < 0.0
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -90,17 +90,17 @@ def named_pairs(
     ] = None,
 ) -> dict[str, tuple[Shape, Shape]]:
     """Read pairs of bodies by name."""
-    found: dict[str, tuple[Shape, Shape]] = {}
+    named: dict[str, tuple[Shape, Shape]] = {}
     for text in between or ():
         name, colon, rest = text.partition(":")
         name, bodies = name.strip(), rest.split(",")
         if not (colon and name) or len(bodies) != 2:
             raise DescriptionError("not two bodies", where="--between", found=text, allowed=_ALLOWED)
-        if name in found:
+        if name in named:
             raise DescriptionError(f"{name!r} is given twice", where="--between", found=text)
         where = f"--between {name}"
-        found[name] = (_body(bodies[0].strip(), where), _body(bodies[1].strip(), where))
-    return found
+        named[name] = (_body(bodies[0].strip(), where), _body(bodies[1].strip(), where))
+    return named
 
 
 def pairs_in_python(between: Sequence[str] | None = None) -> str:
@@ -172,10 +172,10 @@ def study_clearances(
         return ClearanceStudy(rig, lengths, None)
     over_travel = 0.0 if travel is None else sweep_values(travel, "travel")
     over_rack = None if rack is None else sweep_values(rack, "rack")
-    found = clearances(rig, pairs, over_travel, over_rack)
-    if found.sizes["wheel_travel"] == 1 < found.sizes["rack_travel"]:
-        found = found.isel(wheel_travel=0)
-    return ClearanceStudy(rig, lengths, found)
+    data = clearances(rig, pairs, over_travel, over_rack)
+    if data.sizes["wheel_travel"] == 1 < data.sizes["rack_travel"]:
+        data = data.isel(wheel_travel=0)
+    return ClearanceStudy(rig, lengths, data)
 
 
 def _body(text: str, where: str) -> Solid | Rim:
@@ -191,9 +191,9 @@ def _body(text: str, where: str) -> Solid | Rim:
     return Solid.from_table({"points": names, "radius": size}, where=where)
 
 
-def _least(found: xr.Dataset, name: str) -> dict[str, float]:
+def _least(data: xr.Dataset, name: str) -> dict[str, float]:
     """Least distance and where it is, m."""
-    values = found[name]
+    values = data[name]
     at = np.unravel_index(int(np.nanargmin(values.to_numpy())), values.shape)
     place = values[dict(zip(values.dims, at, strict=True))]
     return {"clearance": float(place), **{along: float(place[along]) for along in ("wheel_travel", "rack_travel")}}

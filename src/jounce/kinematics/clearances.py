@@ -190,8 +190,8 @@ class PosedCorner:
         reached = sweep.found.outcome == REACHED
         ordered = sweep.in_place(slopes.reshape(-1, slopes.shape[2]), reached).reshape(slopes.shape)
         at = {name: 3 * i for i, name in enumerate(sweep.model.point_names)}
-        moved = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in required}
-        return cls(places, axis, moved, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
+        positions = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in required}
+        return cls(places, axis, positions, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
 
     def distance(self, first: Shape, second: Shape) -> tuple[Array, Array | None]:
         """Shortest distance of two bodies at each pose, m, and its slopes (directions, poses) if directions are set.
@@ -243,9 +243,9 @@ class PosedCorner:
 
         def slope() -> Array:
             assert self.turned is not None
-            moved = bar.moved(share) - self.moved["wheel_centre"]
-            along_slope = np.einsum("ni,kni->kn", axis, moved) + np.einsum("ni,kni->kn", place, self.turned)
-            radius_slope = _over(np.einsum("ni,kni->kn", place, moved) - along * along_slope, radius)
+            offset = bar.moved(share) - self.moved["wheel_centre"]
+            along_slope = np.einsum("ni,kni->kn", axis, offset) + np.einsum("ni,kni->kn", place, self.turned)
+            radius_slope = _over(np.einsum("ni,kni->kn", place, offset) - along * along_slope, radius)
             return _over((radius - rim.radius) * radius_slope + beyond * along_slope, distance)
 
         return distance, slope

@@ -236,8 +236,8 @@ def removable(
         return frozenset()
     scaled = slope / np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
     for dropped in known:
-        kept = np.array([name not in dropped for name in model.constraints])
-        if np.sum(kept) + len(groups) == len(kept) and np.linalg.svd(scaled[kept])[1][-1] > _FIRM:
+        remaining = np.array([name not in dropped for name in model.constraints])
+        if np.sum(remaining) + len(groups) == len(remaining) and np.linalg.svd(scaled[remaining])[1][-1] > _FIRM:
             return dropped
     if _is_singular_here_only(evaluator, x, len(groups)):
         raise _singular(groups)
@@ -288,9 +288,9 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
         share, better = 1.0, None
         while share > 1e-4:
             trial = evaluator.moved(x, share * step)
-            found = evaluator.at(trial)
-            if np.linalg.norm(found[0]) < np.linalg.norm(value):
-                better = trial, found
+            closer = evaluator.at(trial)
+            if np.linalg.norm(closer[0]) < np.linalg.norm(value):
+                better = trial, closer
                 break
             share *= 0.5
         if better is None:
@@ -373,9 +373,9 @@ def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _singular(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
-    around = dict.fromkeys(other for group in groups for one in group for other in loops.get(one.joint, ()))
+    around = dict.fromkeys(other for group in groups for equation in group for other in loops.get(equation.joint, ()))
     place = f" in the loop of {', '.join(around)}" if around else ""
-    listed = "; ".join(", ".join(one.name for one in group) for group in groups)
+    listed = "; ".join(", ".join(equation.name for equation in group) for group in groups)
     raise AssemblyError(
         "redundant joints: they repeat each other",
         where="; ".join(joints),
@@ -395,7 +395,7 @@ def _singular(groups: _Groups) -> AssemblyError:
 
 def _joints_of(groups: _Groups) -> list[str]:
     """Joints of each group of equations, once."""
-    return list(dict.fromkeys(", ".join(dict.fromkeys(one.joint for one in group)) for group in groups))
+    return list(dict.fromkeys(", ".join(dict.fromkeys(equation.joint for equation in group)) for group in groups))
 
 
 def _count(groups: _Groups, what: str) -> str:
@@ -437,7 +437,8 @@ def _displacements(model: Model, before: Array, after: Array, given: Iterable[st
     shown = {*model.coordinates, *given}
     each = [Displacement(name, float(a), float(b)) for name, a, b in zip(model.states, before, after, strict=True)]
     return tuple(
-        one
-        for one in each
-        if one.coordinate in shown and abs(one.before - one.after) > _MOVED * max(1.0, abs(one.before))
+        displacement
+        for displacement in each
+        if displacement.coordinate in shown
+        and abs(displacement.before - displacement.after) > _MOVED * max(1.0, abs(displacement.before))
     )

@@ -80,8 +80,8 @@ class Poses:
         if body.frame is GROUND or body.carrier.moves:
             return moving
         symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
-        made = Named(body, design, symbol, ca.densify(moving.value), is_point)
-        self.named.update({part.element_hash(): (made, i) for i, part in enumerate(ca.vertsplit(symbol))})
+        named = Named(body, design, symbol, ca.densify(moving.value), is_point)
+        self.named.update({part.element_hash(): (named, i) for i, part in enumerate(ca.vertsplit(symbol))})
         return replace(moving, value=symbol)
 
     def occurring(self, expression: ca.SX) -> list[Named]:

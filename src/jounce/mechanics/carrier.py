@@ -153,10 +153,10 @@ class CarriedMasses:
             push, twist = push + force, twist + ca.cross(arm, force) + torque
         return result + carrier.force(v, push, twist)
 
-    def _torque(self, one: Carried, tensor: ca.SX) -> ca.SX:
+    def _torque(self, carried: Carried, tensor: ca.SX) -> ca.SX:
         """Rate of a body's angular momentum about its centre when no speed changes."""
-        spin = self._carrier.spin(one.orientation)
-        return tensor @ self._carrier.spin_bias(one.orientation) + ca.cross(spin, tensor @ spin)
+        spin = self._carrier.spin(carried.orientation)
+        return tensor @ self._carrier.spin_bias(carried.orientation) + ca.cross(spin, tensor @ spin)
 
 
 class Shifting(NamedTuple):

@@ -92,15 +92,15 @@ class NamedPart:
 
     def with_symbols(self, numbers: Numbers) -> Self:
         """The description with symbols of parameters in place of its numbers."""
-        made: dict[str, Any] = {}
+        symbols: dict[str, Any] = {}
         for each in fields(self):
             value, read = getattr(self, each.name), each.metadata.get("read")
             if read and not isinstance(value, Track) and (value is not None or each.default is MISSING):
                 path, unit = f"{self.name}.{each.name}", self._unit(each.metadata)
-                made[each.name] = (
+                symbols[each.name] = (
                     numbers.direction(path, value) if read == "direction" else getattr(numbers, read)(path, value, unit)
                 )
-        return replace(self, **made)
+        return replace(self, **symbols)
 
     def check(self, known: Known) -> None:
         """Refuse impossible numbers; they are checked when the part is made and when they change."""
@@ -109,9 +109,9 @@ class NamedPart:
             for word, limit in limits:
                 if limit is None or getattr(self, each.name) is None:
                     continue
-                found, unit = known(each.name), self._unit(each.metadata)
-                if np.any(found <= limit if word == "above" else found < limit):
-                    shown = ", ".join(f"{part:g}" for part in np.atleast_1d(found))
+                values, unit = known(each.name), self._unit(each.metadata)
+                if np.any(values <= limit if word == "above" else values < limit):
+                    shown = ", ".join(f"{part:g}" for part in np.atleast_1d(values))
                     raise AssemblyError(
                         "out of range",
                         where=f"{self.name}.{each.name}",

@@ -104,19 +104,19 @@ class DrivenMechanism:
         The step starts from quaternions of length one: extrapolated ones are not, and would hide a residual.
         """
         statics = self.statics
-        moved = statics.moved(-self._solve(statics.constraint))
+        pose = statics.moved(-self._solve(statics.constraint))
         residual = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
         slopes = [self.along(which)(statics.rates) for which in range(len(self.tracks))]
         start = ca.SX(statics.q)
         for first in self.mechanism.collection.quaternions.values():
             e = statics.q[first : first + 4]
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
-        return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
+        return ca.substitute(ca.vertcat(pose, residual, *slopes), statics.q, start)
 
     def followed(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
         """Change of an expression of the coordinates along a change of tracks and numbers; the loops stay closed."""
-        moved = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
-        return ca.jtimes(expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(moved, change))
+        displacement = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
+        return ca.jtimes(expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(displacement, change))
 
     def yielding(self, opened: ca.SX) -> ca.SX:
         """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""

@@ -149,19 +149,21 @@ class Collection:
     def constraint(self, dropped: frozenset[str] = frozenset()) -> Constraint:
         """All loop equations in one, without those named."""
         equations = [equation for constraint in self.constraints for equation in constraint.equations]
-        kept = [i for i, equation in enumerate(equations) if equation.name not in dropped]
-        if not kept:
+        remaining = [i for i, equation in enumerate(equations) if equation.name not in dropped]
+        if not remaining:
             return Constraint((), *[ca.SX(0, 1)] * 4)
         columns = zip(*((c.value, c.rate, c.bias, c.multipliers) for c in self.constraints), strict=True)
-        return Constraint(tuple(equations[i] for i in kept), *(ca.vertcat(*column)[kept] for column in columns))
+        return Constraint(
+            tuple(equations[i] for i in remaining), *(ca.vertcat(*column)[remaining] for column in columns)
+        )
 
     def displaced(self, displacement: ca.SX) -> ca.SX:
         """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""
-        moved = self.q + ca.substitute(ca.vertcat(*self.rates), self.v, ca.densify(displacement))
+        q = self.q + ca.substitute(ca.vertcat(*self.rates), self.v, ca.densify(displacement))
         for first in self.quaternions.values():
-            e = moved[first : first + 4]
-            moved[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
-        return moved
+            e = q[first : first + 4]
+            q[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
+        return q
 
 
 def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model:
@@ -180,10 +182,10 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     gone = [c.multipliers[i] for c in collection.constraints for i, e in enumerate(c.equations) if e.name in dropped]
     lacking = ca.SX(len(gone), 1)  # dropped equations carry no force
     unknown = ca.vertcat(a, constraint.multipliers, *gone)
-    found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, lacking))
+    solution = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, lacking))
     balance = Balance(
         unknown=unknown,
-        found=found,
+        found=solution,
         residual=solved.residual(a, constraint.multipliers),
         answer=lambda change: ca.vertcat(solved.answer(change), lacking),
         rate=ca.vertcat(*collection.rates, a, *internal_rates),
@@ -192,7 +194,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
         correction=solved.correction,
         constraint_rate=constraint.rate,
     )
-    rate, output = ca.substitute([balance.rate, balance.output], [unknown], [found])
+    rate, output = ca.substitute([balance.rate, balance.output], [unknown], [solution])
     accelerations = ca.vertcat(*(track.acceleration for track in collection.tracks.values()))
     order = 3 if collection.tracks and ca.depends_on(ca.vertcat(rate, output), accelerations) else 2
     projection = ca.SX(0, 1)  # no loops, no drift
@@ -381,7 +383,7 @@ class _SharedLoops:
     def __init__(self, matrix: ca.SX, gradient: ca.SX, shared: Sequence[int]) -> None:
         self._shared, self._size = list(shared), matrix.shape[0]
         inner = [i for i in range(matrix.shape[0]) if i not in shared]
-        self._blocks = [_Block(matrix, gradient, *one, self._shared) for one in _blocks(matrix, gradient, inner)]
+        self._blocks = [_Block(matrix, gradient, *rows, self._shared) for rows in _blocks(matrix, gradient, inner)]
         effective = matrix[self._shared, self._shared]
         for block in self._blocks:
             effective -= block.share
@@ -391,8 +393,8 @@ class _SharedLoops:
         """Accelerations and multipliers."""
         alone = [block.loops.balance(applied[block.speeds], bias[block.rows]) for block in self._blocks]
         force = applied[self._shared]
-        for block, found in zip(self._blocks, alone, strict=True):
-            force += block.pull(*found)
+        for block, terms in zip(self._blocks, alone, strict=True):
+            force += block.pull(*terms)
         carrier = self._mass.solve(ca.densify(force))
         accelerations, multipliers = ca.SX(self._size, 1), ca.SX(bias.shape[0], 1)
         accelerations[self._shared] = carrier

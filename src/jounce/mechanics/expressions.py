@@ -67,8 +67,8 @@ def text_of(expression: ca.SX) -> str:
             text = symbols[function.instruction_input(k)[0]].name()
         else:
             given = [register_texts[register] for register in function.instruction_input(k)]
-            made = ca.SX.binary(code, x, y) if len(given) == 2 else ca.SX.unary(code, x)
-            text = ca.print_operator(made, given)
+            operation = ca.SX.binary(code, x, y) if len(given) == 2 else ca.SX.unary(code, x)
+            text = ca.print_operator(operation, given)
             if uses[k] > 1:
                 again.append(f"@{len(again) + 1} = {text}")
                 text = f"@{len(again)}"

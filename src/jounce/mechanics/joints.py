@@ -276,8 +276,8 @@ class Universal(Joint):
     def check(self, known: Known) -> None:
         """Refuse axes that are not at right angles."""
         super().check(known)
-        one, other = (known(field) for field in ("axis", "second_axis"))
-        cosine = one @ other / np.sqrt(one @ one * (other @ other))
+        axis, second = (known(field) for field in ("axis", "second_axis"))
+        cosine = axis @ second / np.sqrt(axis @ axis * (second @ second))
         if abs(cosine) > _SQUARE:
             degrees = float(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))
             raise AssemblyError(
@@ -567,9 +567,9 @@ def _parallel(joint: Joint, axis: ca.SX) -> list[ClosingEquation]:
     return [_square(tag, normal, other) for tag, normal in zip(("tilt", "tilt_2"), across, strict=True)]
 
 
-def _square(tag: str, one: Moving, other: Moving) -> ClosingEquation:
+def _square(tag: str, first: Moving, second: Moving) -> ClosingEquation:
     """A direction of the first body at right angles to one of the second."""
-    return ClosingEquation(tag, "rad", one.dot(other), torque=ca.cross(other.value, one.value))
+    return ClosingEquation(tag, "rad", first.dot(second), torque=ca.cross(second.value, first.value))
 
 
 def _half_square(reach: Moving, squared: ca.SX) -> Moving:

@@ -63,9 +63,9 @@ class Reading:
 
     def write(self, expression: ca.SX) -> Plain:
         """Numbers of an expression of parameters; else a table with its text and the parameters in it."""
-        found = self.numbers(expression)
-        if found is not None:
-            parts = [float(part) if isfinite(part) else None for part in found.ravel()]
+        numbers = self.numbers(expression)
+        if numbers is not None:
+            parts = [float(part) if isfinite(part) else None for part in numbers.ravel()]
             return parts[0] if expression.shape == (1, 1) else parts
         within = [self._parameters.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         if within and all(within):
@@ -113,7 +113,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
         names = [symbol.name() for symbol in ca.symvar(symbols)]
         bodies = dict.fromkeys(named.body.name for named in mechanism.poses.occurring(symbols))
         each = (("coordinates", collection.coordinates), ("tracks", collection.tracks), ("bodies", bodies))
-        return {key: [name for name in kept if name in names or key == "bodies"] for key, kept in each}
+        return {key: [name for name in listed if name in names or key == "bodies"] for key, listed in each}
 
     return {
         "gravity": write(mechanism.gravity),
@@ -141,9 +141,14 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for name, closed in mechanism.closing.items()
         ],
         "conditions": [
-            {"name": one.name, "kind": one.kind, **read.law(one.expression), "ratios": read.ratios(one.expression)}
-            | acts_on(one.expression)
-            for one, _ in mechanism.conditions.values()
+            {
+                "name": condition.name,
+                "kind": condition.kind,
+                **read.law(condition.expression),
+                "ratios": read.ratios(condition.expression),
+            }
+            | acts_on(condition.expression)
+            for condition, _ in mechanism.conditions.values()
         ],
         "loads": [
             load.listed(write) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
@@ -200,59 +205,64 @@ def as_text(listed: Mapping[str, Any]) -> str:
             bodies.append(f"{body['name']}: {carried}")
     joints = []
     for joint in listed["joints"]:
-        names = ", ".join(f"{one['name']} [{one['unit']}]" for one in joint["coordinates"])
+        names = ", ".join(f"{entry['name']} [{entry['unit']}]" for entry in joint["coordinates"])
         joints.append(f"{_line(joint)}{f'; {names}' if names else ''}")
     closures = [
-        f"{_line(one)}; equations {len(one['equations'])}; loop {', '.join(one['loop'])}" for one in listed["closures"]
+        f"{_line(entry)}; equations {len(entry['equations'])}; loop {', '.join(entry['loop'])}"
+        for entry in listed["closures"]
     ]
     conditions = [
-        f"{one['name']}: {one['kind']} of {_names(one)}, {_shown(_law(one))} = 0{_with(one)}"
-        for one in listed["conditions"]
+        f"{entry['name']}: {entry['kind']} of {_names(entry)}, {_shown(_law(entry))} = 0{_with(entry)}"
+        for entry in listed["conditions"]
     ]
-    loads = [_line(one) for one in listed["loads"]]
+    loads = [_line(entry) for entry in listed["loads"]]
     parts = {"bodies": bodies, "joints": joints, "loops closed by": closures, "conditions": conditions, "loads": loads}
     parts["tracks"] = listed["tracks"]
     parts["switches"] = [
-        f"{one['name']}: 1 where {_shown(one['above_zero'])} > 0{_with(one['above_zero'])}"
-        for one in listed["switches"]
+        f"{entry['name']}: 1 where {_shown(entry['above_zero'])} > 0{_with(entry['above_zero'])}"
+        for entry in listed["switches"]
     ]
     parts["internal states"] = [
-        f"{one['name']}: rate {_shown(one['rate'])}{_with(one['rate'] or {})}" for one in listed["internal_states"]
+        f"{entry['name']}: rate {_shown(entry['rate'])}{_with(entry['rate'] or {})}"
+        for entry in listed["internal_states"]
     ]
-    parts["watched"] = [f"{one['name']}: {one['kind']}" for one in listed["watched"]]
-    return "\n".join(line for name, lines in parts.items() if lines for line in (name, *(f"  {one}" for one in lines)))
+    parts["watched"] = [f"{entry['name']}: {entry['kind']}" for entry in listed["watched"]]
+    return "\n".join(
+        line for name, lines in parts.items() if lines for line in (name, *(f"  {entry}" for entry in lines))
+    )
 
 
-def _line(one: Mapping[str, Any]) -> str:
+def _line(entry: Mapping[str, Any]) -> str:
     """Name, kind, bodies, numbers and laws."""
-    ends = " - ".join(one[end] for end in ("first", "second", "body", "joint") if end in one)
-    units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in one["units"].items()}
+    ends = " - ".join(entry[end] for end in ("first", "second", "body", "joint") if end in entry)
+    units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in entry["units"].items()}
     numbers = [
         f"{name.replace('_', ' ')} {_shown(value)}{units.get(name, '')}"
-        + (" as designed" if name in one.get("as_designed", ()) else "")
+        + (" as designed" if name in entry.get("as_designed", ()) else "")
         + (_with(value) if isinstance(value, dict) else "")
-        for name, value in one.items()
+        for name, value in entry.items()
         if name not in _NO_NUMBERS
     ]
-    name = f"{one['name']}: " if one["name"] else ""
-    positive = [f"positive: {one['positive']}"] if "positive" in one else []
-    return name + ", ".join([one["kind"], *([ends] if ends else []), *numbers, *positive])
+    name = f"{entry['name']}: " if entry["name"] else ""
+    positive = [f"positive: {entry['positive']}"] if "positive" in entry else []
+    return name + ", ".join([entry["kind"], *([ends] if ends else []), *numbers, *positive])
 
 
-def _names(one: Mapping[str, Any]) -> str:
-    return ", ".join(name for part in ("coordinates", "bodies", "tracks") for name in one.get(part, ()))
+def _names(entry: Mapping[str, Any]) -> str:
+    return ", ".join(name for part in ("coordinates", "bodies", "tracks") for name in entry.get(part, ()))
 
 
-def _law(one: Mapping[str, Any]) -> dict[str, Any]:
-    return {"expression": one["expression"]}
+def _law(entry: Mapping[str, Any]) -> dict[str, Any]:
+    return {"expression": entry["expression"]}
 
 
 def _with(law: Mapping[str, Any]) -> str:
     """Parameters of a law with their numbers."""
-    found = (
-        f"{path} {_shown(one['value'])} {one['unit']}".rstrip(" 1") for path, one in law.get("parameters", {}).items()
+    parameters = (
+        f"{path} {_shown(parameter['value'])} {parameter['unit']}".rstrip(" 1")
+        for path, parameter in law.get("parameters", {}).items()
     )
-    text = ", ".join(found)
+    text = ", ".join(parameters)
     return f" with {text}" if text else ""
 
 

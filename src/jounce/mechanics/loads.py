@@ -126,12 +126,12 @@ class Between(Load):
     first: Body
     second: Body
 
-    def apart(self, one: Moving, other: Moving, force: ca.SX) -> Action:
+    def apart(self, first: Moving, second: Moving, force: ca.SX) -> Action:
         """Push two points apart along the line between them, by a force in N."""
-        reach = other - one
+        reach = second - first
         along = reach.value / length_of(reach.value)
         power = (ca.dot(along, reach.rate), force)
-        ends = ((self.first, one, -1.0), (self.second, other, 1.0))
+        ends = ((self.first, first, -1.0), (self.second, second, 1.0))
         return Action((power,), tuple(Wrench(body, sign * force * along, end.value) for body, end, sign in ends))
 
     def pair(self, place: ca.SX, force: ca.SX, torque: ca.SX = _NONE) -> tuple[Wrench, ...]:
@@ -191,15 +191,15 @@ class SpringDamper(Between):
     def action(self, system: System) -> Action:
         """Return length (m) and force (N) to the maker."""
         del system
-        one, other = self.first.frame.point(self.at), self.second.frame.point(self.second_at)
-        reach = other - one
+        first, second = self.first.frame.point(self.at), self.second.frame.point(self.second_at)
+        reach = second - first
         length = length_of(reach.value)
         if self.force is not None:
-            return _with(self.apart(one, other, self.force), shown=(length, self.force))
+            return _with(self.apart(first, second, self.force), shown=(length, self.force))
         rate = ca.dot(reach.value, reach.rate) / length
         free = self.defaults()["free_length"] if self.free_length is None else self.free_length
         force, stored, lost = _spring_and_damper(self.stiffness, length - free, self.damping, rate)
-        return _with(self.apart(one, other, force), stored=stored, lost=lost, shown=(length, force))
+        return _with(self.apart(first, second, force), stored=stored, lost=lost, shown=(length, force))
 
 
 @dataclass(frozen=True, eq=False)

@@ -111,9 +111,9 @@ class Mechanism(Structure):
     def direction(self, path: str, value: Vector) -> ca.SX:
         """Return the unit vector along three numbers."""
         if not isinstance(value, ca.SX):
-            found = [to_si(part, "1", where=path) for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()]
-            if len(found) == 3 and not any(found):
-                raise AssemblyError("an axis without direction", where=path, found=tuple(found), allowed="not all zero")
+            parts = [to_si(part, "1", where=path) for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()]
+            if len(parts) == 3 and not any(parts):
+                raise AssemblyError("an axis without direction", where=path, found=tuple(parts), allowed="not all zero")
         return unit(self.vector(path, value, "1"))
 
     # bodies ----------------------------------------------------------------------------------------------------
@@ -155,9 +155,11 @@ class Mechanism(Structure):
                 self.vector(f"{name}.centre_of_mass", centre_of_mass),
                 self._tensor(f"{name}.inertia", inertia),
             )
-            found = [listing.Reading(self, self.values).numbers(part) for part in (properties.mass, properties.inertia)]
-            if found[0] is not None and found[1] is not None:
-                check_inertia(placed, float(found[0]), found[1])
+            numbers = [
+                listing.Reading(self, self.values).numbers(part) for part in (properties.mass, properties.inertia)
+            ]
+            if numbers[0] is not None and numbers[1] is not None:
+                check_inertia(placed, float(numbers[0]), numbers[1])
         elif inertia is not None or centre_of_mass is not None:
             raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
         self.bodies[placed] = Body(placed, self.poses, properties)
@@ -235,10 +237,14 @@ class Mechanism(Structure):
             raise AssemblyError(text, where=self.placed(name), found=second.name, hint=hint)
         for track in (value for value in vars(joint).values() if isinstance(value, Track)):
             self._check_track(name, track)
-        made = joint.with_symbols(self)
-        self._check_numbers([made], self.values)
+        described = joint.with_symbols(self)
+        self._check_numbers([described], self.values)
         placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
-        return self._close(replace(made, name=placed)) if closes else self._hang(name, replace(made, name=placed))
+        return (
+            self._close(replace(described, name=placed))
+            if closes
+            else self._hang(name, replace(described, name=placed))
+        )
 
     def _hang(self, name: str, joint: Joint) -> ca.SX:
         """Place the unplaced body of a joint."""
@@ -487,12 +493,12 @@ class Mechanism(Structure):
         ends = ("first", "second", "body")
         bodies = [value for key, value in vars(load).items() if isinstance(value, Body) or key in ends]
         self._require_placed(load.name or load.kind, *bodies)
-        made = load.with_symbols(self)
-        self._check_numbers([made], self.values)
-        action = made.action(self)
+        described = load.with_symbols(self)
+        self._check_numbers([described], self.values)
+        action = described.action(self)
         self._check_laws(load.name or load.kind, action.power)
         self.collection.loads.extend(action.power)
-        self.loads.append((replace(made, name=self.placed(load.name)), action))
+        self.loads.append((replace(described, name=self.placed(load.name)), action))
         return action
 
     def _check_laws(self, name: str, power: Iterable[tuple[ca.SX, ca.SX]]) -> None:
@@ -564,8 +570,8 @@ class Mechanism(Structure):
         """
         name = loads.PushApart.kind
         self._require_placed(name, first, second)
-        one, other = self._point_of(first, at, name), self._point_of(second, second_at, name)
-        self.act(loads.PushApart("", first, second, one, other, self._law(name, force, "N")))
+        start, end = self._point_of(first, at, name), self._point_of(second, second_at, name)
+        self.act(loads.PushApart("", first, second, start, end, self._law(name, force, "N")))
 
     def _require_moving(self, name: str, body: Body) -> None:
         """Refuse bodies without a place, and the ground, which no force moves."""
@@ -821,9 +827,9 @@ class Mechanism(Structure):
             if check_name(body, f"reaction of {joint}") not in self.bodies:
                 raise unknown(body, self.bodies, what="body", where=f"reaction of {joint}")
         key = f"reaction of {joint}"
-        kept = self.watched.get(key)
-        if isinstance(kept, outputs.WatchedReaction):
-            if kept.on == on and kept.frame is self.bodies[frame] and kept.at is None and at is None:
+        watched = self.watched.get(key)
+        if isinstance(watched, outputs.WatchedReaction):
+            if watched.on == on and watched.frame is self.bodies[frame] and watched.at is None and at is None:
                 return
             hint = "Of one joint one reaction is seen, in one frame, at one point and on one body."
             raise AssemblyError("the reaction is watched twice", where=key, hint=hint)
@@ -846,8 +852,10 @@ class Mechanism(Structure):
         key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
         if key in self.watched and watch.name != watch.kind:
             raise AssemblyError("the name is used twice", where=self.placed(watch.name))
-        made = watch.with_symbols(self)
-        self.watched[key] = replace(made, name=made.name if made.name == made.kind else self.placed(made.name))
+        described = watch.with_symbols(self)
+        self.watched[key] = replace(
+            described, name=described.name if described.name == described.kind else self.placed(described.name)
+        )
         self._refuse_clashes()
 
     def _refuse_clashes(self) -> None:
@@ -923,8 +931,8 @@ class Mechanism(Structure):
         for each in things:
             each.check(reading.known(each))
             for axis in (field.name for field in fields(each) if field.metadata.get("read") == "direction"):
-                found = reading.numbers(getattr(each, axis))
-                if found is not None and not np.all(np.isfinite(found)):
+                numbers = reading.numbers(getattr(each, axis))
+                if numbers is not None and not np.all(np.isfinite(numbers)):
                     where, hint = f"{each.name}.{axis}", "Its three numbers must not all be zero."
                     raise AssemblyError("an axis without direction", where=where, hint=hint)
 
@@ -1035,10 +1043,12 @@ class Mechanism(Structure):
             for each in every
             for field in fields(each)
         ]
-        found = {path: value for path, value, about in given if about.get("read") == "vector" and about["unit"] == "m"}
+        vectors = {
+            path: value for path, value, about in given if about.get("read") == "vector" and about["unit"] == "m"
+        }
         masses = {name: body.mass_properties for name, body in self.bodies.items() if body.mass_properties is not None}
-        found |= {f"{name}.centre_of_mass": mass.centre for name, mass in masses.items()}
-        read = {path: reading.numbers(value) for path, value in found.items() if isinstance(value, ca.SX)}
+        vectors |= {f"{name}.centre_of_mass": mass.centre for name, mass in masses.items()}
+        read = {path: reading.numbers(value) for path, value in vectors.items() if isinstance(value, ca.SX)}
         return {path: value for path, value in read.items() if value is not None}
 
     def finish(
@@ -1139,8 +1149,8 @@ class Mechanism(Structure):
 
     def watch_balance(self) -> None:
         """Add the energy balance of the loops, which must not change. Unknown if a track moves a body."""
-        moved = any(isinstance(hung.joint, joints.Driven) for hung in self.hanging.values())
-        if moved and self.tracks:
+        is_driven = any(isinstance(hung.joint, joints.Driven) for hung in self.hanging.values())
+        if is_driven and self.tracks:
             return
         power = outputs.total(ca.dot(rate, force) for rate, force in self.collection.loads)
         taken = self.internal_state(BALANCE)

@@ -141,10 +141,10 @@ class Freedoms:
 
     def _motions(self, evaluator: Evaluator, x: Array) -> tuple[FreeMotion, ...]:
         """Motions that the joints allow, those with a force first."""
-        ways = motions_left(evaluator.at(x)[1])
-        if not ways.shape[1]:
+        directions = motions_left(evaluator.at(x)[1])
+        if not directions.shape[1]:
             return ()
-        loaded, unloaded = self._by_force(evaluator, x, ways)
+        loaded, unloaded = self._by_force(evaluator, x, directions)
         each = np.split(self._bodies(x, evaluator.u, evaluator.p).full(), len(self._names))
 
         def describe(way: Array, *, is_loaded: bool) -> FreeMotion:
@@ -170,10 +170,10 @@ class Freedoms:
         both = ((loaded, True), (unloaded, False))
         return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
 
-    def _by_force(self, evaluator: Evaluator, x: Array, ways: Array) -> tuple[Array, Array]:
+    def _by_force(self, evaluator: Evaluator, x: Array, directions: Array) -> tuple[Array, Array]:
         """Motions with forces, and those without: in the pose, at a small speed, or after a small step."""
         if self._is_carried:
-            return ways, ways[:, :0]  # weights of bodies in moving axes are among the inertial forces
+            return directions, directions[:, :0]  # weights of bodies in moving axes are among the inertial forces
         model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
         active = np.ones(len(model.switches))  # also stops that are not touched
 
@@ -183,25 +183,25 @@ class Freedoms:
 
         def forces() -> Iterator[Array]:
             """Forces, the cheapest ones first."""
-            reference = force(x, ways)
+            reference = force(x, directions)
             yield reference
-            steps = [sign * way for way in ways.T for sign in (_NUDGE, -_NUDGE)]
+            steps = [sign * direction for direction in directions.T for sign in (_NUDGE, -_NUDGE)]
             for step in steps:
                 moving = x.copy()
                 moving[n_q : n_q + n_v] += step
-                yield (force(moving, ways) - reference) / _NUDGE
+                yield (force(moving, directions) - reference) / _NUDGE
             for step in steps:
                 near = close_loops(evaluator, evaluator.moved(x, step), np.ones(n_v))
                 yield (force(near, motions_left(evaluator.at(near)[1])) - reference) / _NUDGE
 
         rows: list[Array] = []
         for row in forces():
-            rows.append(row @ ways)
+            rows.append(row @ directions)
             _, values, right = np.linalg.svd(np.array(rows))
             rank = int(np.sum(values > _NOTHING * max(1.0, np.max(values, initial=0.0))))
-            if rank == ways.shape[1]:
+            if rank == directions.shape[1]:
                 break
-        return ways @ right[:rank].T, ways @ right[rank:].T
+        return directions @ right[:rank].T, directions @ right[rank:].T
 
 
 def _motion(body: Body, v: ca.SX) -> ca.SX:
@@ -213,11 +213,11 @@ def _motion(body: Body, v: ca.SX) -> ca.SX:
     return ca.horzcat(carrier.place(point.value), mass, ca.jacobian(rate, v), ca.jacobian(spin, v))
 
 
-def _readable(ways: Array) -> Array:
+def _readable(directions: Array) -> Array:
     """The same motions, each with one coordinate of its own that moves in no other."""
     from scipy.linalg import qr
 
-    if not ways.shape[1]:
-        return ways
-    own = np.sort(qr(ways.T, pivoting=True, mode="r")[1][: ways.shape[1]])
-    return np.asarray(ways @ np.linalg.inv(ways[own]))
+    if not directions.shape[1]:
+        return directions
+    own = np.sort(qr(directions.T, pivoting=True, mode="r")[1][: directions.shape[1]])
+    return np.asarray(directions @ np.linalg.inv(directions[own]))

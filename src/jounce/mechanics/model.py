@@ -185,13 +185,16 @@ class Model:
 
 def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> Model:
     """Replace symbols by their numbers; the original model is kept as ``generic``."""
-    symbols, values = ca.vertcat(*(made for made, _ in constants.values())), ca.SX([x for _, x in constants.values()])
+    symbols, values = (
+        ca.vertcat(*(symbol for symbol, _ in constants.values())),
+        ca.SX([x for _, x in constants.values()]),
+    )
 
     def put(*parts: ca.SX) -> list[ca.SX]:
         return list(ca.substitute(list(parts), [symbols], [values]))  # together: what they share stays shared
 
     old = model.balance
-    found, residual, rate, output, constraint_rate, *own = put(
+    solution, residual, rate, output, constraint_rate, *own = put(
         old.found,
         old.residual,
         old.rate,
@@ -205,7 +208,7 @@ def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> 
     )
     balance = Balance(
         unknown=old.unknown,
-        found=found,
+        found=solution,
         residual=residual,
         answer=lambda change: put(old.answer(change))[0],
         rate=rate,

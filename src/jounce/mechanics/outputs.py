@@ -112,10 +112,13 @@ class WatchedReaction(OutputDescription):
 
     def show(self, mechanism: Structure) -> None:
         """Add its signals."""
-        found = reaction_of(mechanism, self.name, self.on)
+        reaction = reaction_of(mechanism, self.name, self.on)
         if self.at is not None:
-            found = found.at(found.body.carrier.place(found.body.frame.point(self.at).value))
-        for symbol, vector, unit, what in (("f", found.force, "N", "force"), ("t", found.torque, "N*m", "torque")):
+            reaction = reaction.at(reaction.body.carrier.place(reaction.body.frame.point(self.at).value))
+        for symbol, vector, unit, what in (
+            ("f", reaction.force, "N", "force"),
+            ("t", reaction.torque, "N*m", "torque"),
+        ):
             turned = self.frame.frame.orientation.unrotate(self.frame.carrier.inward(vector))
             for i, axis in enumerate("xyz"):
                 text = f"{self.name}, reaction {what} along {axis}"

@@ -55,7 +55,7 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
         hung = mechanism.hanging[name]
         hanging = {body.name for body in mechanism.hanging_on(hung.child)}
         # a force on a coordinate is transmitted by its joint, as by a motor in the hinge
-        found = _newton_euler(
+        reaction = _newton_euler(
             mechanism,
             hung.child,
             [body for body in mechanism.bodies.values() if body.name in hanging],
@@ -75,10 +75,10 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
             bodies = [joint.first.itself.name, joint.second.itself.name]
         ordered = [body for body in mechanism.bodies if body in bodies]
         felt = on = on or (bodies[1] if name in mechanism.closures else ordered[-1])
-        found = _summed(own, on, mechanism.bodies)
+        reaction = _summed(own, on, mechanism.bodies)
     if on not in bodies:
         raise unknown(on, bodies, what="body it acts on", where=f"reaction of {name}")
-    force, torque, point = found if on == felt else (-found[0], -found[1], found[2])
+    force, torque, point = reaction if on == felt else (-reaction[0], -reaction[1], reaction[2])
     return Reaction(force, torque, point, mechanism.bodies[on])
 
 
@@ -164,7 +164,7 @@ def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
 
 def _still(mechanism: Structure, body: Body) -> Body:
     """The ground, or the moving axes that a body hangs in."""
-    axes = (one for one in mechanism.bodies.values() if one.axes_of is not None and one.carrier is body.carrier)
+    axes = (other for other in mechanism.bodies.values() if other.axes_of is not None and other.carrier is body.carrier)
     return next(axes, mechanism.ground)
 
 

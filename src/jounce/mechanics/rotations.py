@@ -61,15 +61,15 @@ def matrix_quaternion(matrix: ca.SX) -> ca.SX:
     """
     m, trace = matrix, ca.trace(matrix)
     sizes = [trace, *(2.0 * m[i, i] - trace for i in range(3))]
-    ways = [
+    candidates = [
         ca.vertcat(1.0 + trace, m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]),
         ca.vertcat(m[2, 1] - m[1, 2], 1.0 + sizes[1], m[0, 1] + m[1, 0], m[0, 2] + m[2, 0]),
         ca.vertcat(m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], 1.0 + sizes[2], m[1, 2] + m[2, 1]),
         ca.vertcat(m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], 1.0 + sizes[3]),
     ]
-    best, result = sizes[0], ways[0]
-    for size, way in zip(sizes[1:], ways[1:], strict=True):
-        result = ca.if_else(size > best, way, result)
+    best, result = sizes[0], candidates[0]
+    for size, candidate in zip(sizes[1:], candidates[1:], strict=True):
+        result = ca.if_else(size > best, candidate, result)
         best = ca.fmax(size, best)
     result = ca.if_else(result[0] < 0.0, -result, result)
     return result / ca.sqrt(ca.dot(result, result))

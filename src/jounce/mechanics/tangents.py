@@ -32,8 +32,8 @@ def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
     balance = model.balance
     known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(dx, du, dp)
     answered = balance.answer(ca.jtimes(balance.residual, known, along))
-    every, ways = ca.vertcat(known, balance.unknown), ca.vertcat(along, answered)
-    change = ca.jtimes(ca.vertcat(balance.rate, balance.output), every, ways)
+    every, directions = ca.vertcat(known, balance.unknown), ca.vertcat(along, answered)
+    change = ca.jtimes(ca.vertcat(balance.rate, balance.output), every, directions)
     change, count = ca.substitute(change, balance.unknown, balance.found), balance.rate.shape[0]
     rate, output = change[:count], change[count:]
     switch, constraint = (ca.jtimes(part, known, along) for part in (model.switch, model.constraint))
@@ -47,9 +47,9 @@ def _projection(model: Model, dx: ca.SX, dp: ca.SX, known: ca.SX, along: ca.SX) 
     balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
     residual, drifted = (ca.jtimes(part, known, along) for part in (model.constraint, balance.constraint_rate))
     shift = ca.SX.sym("shift", n_v)
-    moved = balance.moved(shift)
+    displaced = balance.moved(shift)
     start = ca.vertcat(model.x[:n_q], model.p, shift)
-    change = ca.jtimes(moved, start, ca.vertcat(dx[:n_q], dp, -balance.correction(residual)))
+    change = ca.jtimes(displaced, start, ca.vertcat(dx[:n_q], dp, -balance.correction(residual)))
     coordinates = ca.substitute(change, shift, ca.SX.zeros(n_v))
     speeds = dx[n_q : n_q + n_v] - balance.correction(drifted)
     return ca.vertcat(coordinates, speeds, dx[n_q + n_v :])

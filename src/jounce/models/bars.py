@@ -93,9 +93,9 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
     closed = ca.fmax(*left) < _CLOSED
     hinge, twist = (ca.if_else(closed, angle, ca.SX.nan()) for angle in (hinge, twist))
     sizes = [ca.sqrt(length) for length in lengths]
-    ways = [link / size for link, size in zip(links, sizes, strict=True)]
+    directions = [link / size for link, size in zip(links, sizes, strict=True)]
     rows = [ca.horzcat(*row) / size for row, size in zip(levers, sizes, strict=True)]
-    return TBar(hinge, twist, (tips[0], tips[1]), (ways[0], ways[1]), ca.vertcat(*rows))
+    return TBar(hinge, twist, (tips[0], tips[1]), (directions[0], directions[1]), ca.vertcat(*rows))
 
 
 @cache
@@ -103,9 +103,9 @@ def t_bar_function() -> ca.Function:
     """The T-bar as a function of numbers: hinge, twist, tips, ways (3, 2) and levers, of the arguments as (3, 2)."""
     stem = ca.SX.sym("stem", 3)
     pairs = [ca.SX.sym(name, 3, 2) for name in ("arms", "far", "ends")]
-    found = t_bar(stem, *(ca.horzsplit(pair) for pair in pairs))
-    made = [found.hinge, found.twist, ca.horzcat(*found.tips), ca.horzcat(*found.ways), found.levers]
-    return ca.Function("t_bar", [stem, *pairs], [ca.densify(part) for part in made])
+    bar = t_bar(stem, *(ca.horzsplit(pair) for pair in pairs))
+    outputs = [bar.hinge, bar.twist, ca.horzcat(*bar.tips), ca.horzcat(*bar.ways), bar.levers]
+    return ca.Function("t_bar", [stem, *pairs], [ca.densify(part) for part in outputs])
 
 
 def _posed(

@@ -222,10 +222,10 @@ def _plate_run(variant: str, rig: jn.QuarterCar, amplitude: float, plate_mass: f
     values = rig.parameters()
     time = np.asarray(np.arange(round(DURATION / _STEP) + 1) * _STEP, dtype=np.float64)
     if variant == "two-mass":
-        found, statics, oscillations = _quarter_car(rig, amplitude, time)
+        output, statics, oscillations = _quarter_car(rig, amplitude, time)
     else:
-        found, statics, oscillations = _linear(variant, values, amplitude, time)
-    signals = _signals(found, values["gravity"], amplitude, plate_mass, time)
+        output, statics, oscillations = _linear(variant, values, amplitude, time)
+    signals = _signals(output, values["gravity"], amplitude, plate_mass, time)
     part = signals.isel(time=slice(-1 - round(STEADY / _STEP), -1))  # whole turns
     steady = {str(name): part[name].to_numpy() for name in part.data_vars}
     carriers = {"body": "sprung.z", "wheel": "unsprung.z", "spring": "spring.deflection", "contact": "tyre.force"}
@@ -298,7 +298,7 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
     rate, damping = values["strut.spring.rate"], values["strut.damper.coefficient"]
     stiffness, pneumatic = values["tyre.stiffness"], values["tyre.damping_coefficient"]
     count = 2 if variant == "summed" else 3
-    body, velocity, *inner, sine, cosine, one = np.eye(count + 3)
+    body, velocity, *inner, sine, cosine, unity = np.eye(count + 3)
     plate, plate_velocity = amplitude * sine, amplitude * _TURNING * cosine
     if variant == "summed":
         deflection, opening = plate - body, plate_velocity - velocity
@@ -315,8 +315,8 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
         strut = spring + damping * opening
         rates = [wheel_velocity]
         losses = [(damping, opening), (pneumatic, plate_velocity - wheel_velocity)]
-    acceleration = strut / values["sprung.mass"] - values["gravity"] * one
-    matrix = np.array([velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * one])
+    acceleration = strut / values["sprung.mass"] - values["gravity"] * unity
+    matrix = np.array([velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * unity])
     state = np.zeros(count + 3)
     state[[0, *range(2, count)]] = -amplitude  # no spring is compressed, the plate is at its lowest point
     state[-3], state[-1] = -1.0, 1.0
@@ -341,10 +341,10 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
     return linear, _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)), tuple(modes)
 
 
-def _signals(found: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array) -> xr.Dataset:
+def _signals(output: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array) -> xr.Dataset:
     """All channels; the plate is guided without friction, the exciter works on it as a Scotch yoke."""
     height, velocity, acceleration = _plate(amplitude, time)
-    force = found["tyre.force"] + plate_mass * (gravity + acceleration)
+    force = output["tyre.force"] + plate_mass * (gravity + acceleration)
     channels = {
         "sprung.z": ("m", "body, height"),
         "sprung.az": ("m/s^2", "body, vertical acceleration"),
@@ -361,9 +361,9 @@ def _signals(found: dict[str, Array], gravity: float, amplitude: float, plate_ma
         "excenter.torque": ("N*m", "torque of the drive on the exciter"),
         "excenter.power": ("W", "power of the drive"),
     }
-    every = found | {
-        "spring.length": FREE_LENGTH - found["spring.deflection"],
-        "stand.deflection": height - found["sprung.z"],
+    every = output | {
+        "spring.length": FREE_LENGTH - output["spring.deflection"],
+        "stand.deflection": height - output["sprung.z"],
         "plate.z": height,
         "plate.force": force,
         "excenter.torque": force * velocity / _TURNING,

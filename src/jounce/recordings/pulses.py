@@ -113,8 +113,8 @@ def pulse_speed(
     if per_turn < 1:
         raise RecordingError("not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more")
     seen = edges(at, as_samples(signal, where=where), where=where)
-    marks, kept, doubled = _numbered(seen)
-    seen, missing = seen[kept], int(marks[-1] + 1 - len(marks))
+    marks, is_mark, doubled = _numbered(seen)
+    seen, missing = seen[is_mark], int(marks[-1] + 1 - len(marks))
     distance = circumference / per_turn * marks
     mean = float(distance[-1] / (seen[-1] - seen[0]))
     if mean > _PLAUSIBLE:
@@ -173,17 +173,17 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
 def _numbered(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
     """Numbers of the marks that were seen, which of the edges count, and how many were double."""
     usual = float(np.median(np.diff(seen)))
-    kept = np.ones(len(seen), dtype=bool)
+    is_mark = np.ones(len(seen), dtype=bool)
     last = 0
     for i in range(1, len(seen)):  # an edge less than half a period behind the last one is the same mark again
         if seen[i] - seen[last] < 0.5 * usual:
-            kept[i] = False
+            is_mark[i] = False
         else:
             last = i
-    periods = np.diff(seen[kept])
+    periods = np.diff(seen[is_mark])
     local = _running_median(periods)
     marks = np.concatenate([[0.0], np.cumsum(np.maximum(np.round(periods / local), 1.0))])
-    return marks, kept, int(np.count_nonzero(~kept))
+    return marks, is_mark, int(np.count_nonzero(~is_mark))
 
 
 _WINDOW = 9  # periods: an odd number whose middle one a speed that changes, or a gap, does not move
@@ -211,10 +211,10 @@ _MANY = 0.1  # share of missing pulses from which on the sensor should be looked
 def _findings(
     missing: int, doubled: int, count: int, variation: float, resolution: float, mean: float, where: str
 ) -> list[Finding]:
-    found = []
+    findings = []
     if missing or doubled:
         severity: Severity = "warning" if missing > _MANY * count else "note"
-        found.append(
+        findings.append(
             finding(
                 "recordings.pulses_corrected",
                 where,
@@ -226,5 +226,5 @@ def _findings(
             )
         )
     if variation > _VARIES * resolution and variation > _STEADY * mean:
-        found.append(finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean))
-    return found
+        findings.append(finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean))
+    return findings

@@ -546,8 +546,8 @@ def _borders(places: list[Array], low: float, high: float) -> Array:
     """Ascending places (m) from ``low`` to ``high``, merged within a nanometre."""
     inner = np.concatenate(places)
     inner = np.unique(inner[(inner > low + SHORTEST) & (inner < high - SHORTEST)])
-    kept = inner[np.diff(inner, prepend=-np.inf) > SHORTEST]
-    return np.concatenate([[low], kept, [high]])
+    distinct = inner[np.diff(inner, prepend=-np.inf) > SHORTEST]
+    return np.concatenate([[low], distinct, [high]])
 
 
 def _refined(borders: Array, longest: Array) -> Array:
@@ -585,8 +585,8 @@ def _disc(t: Array, radius: Array) -> Array:
 
 def _joined(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array]) -> Segments:
     """Cubics between borders with heights and slopes at their ends; lines that go on are one piece."""
-    one = hermite_pieces(borders, left[0], right[0], left[1], right[1])
-    c, span = one.coefficients, np.diff(borders)
+    pieces = hermite_pieces(borders, left[0], right[0], left[1], right[1])
+    c, span = pieces.coefficients, np.diff(borders)
     bend = np.maximum(np.abs(c[:, 2]) * span**2, np.abs(c[:, 3]) * span**3) > 1e-13
     c[~bend, 2:] = 0.0
     c[~bend, 1] = ((right[0] - left[0]) / span)[~bend]
@@ -597,5 +597,5 @@ def _joined(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array
         & (np.abs(c[1:, 1] - c[:-1, 1]) * np.minimum(span[1:], span[:-1]) < 1e-13)
         & (np.abs(c[1:, 0] - ends_at) < 1e-13)
     )
-    kept = np.concatenate([[True], ~goes_on])
-    return Segments(np.append(borders[:-1][kept], borders[-1]), one.kind[kept], c[kept])
+    is_start = np.concatenate([[True], ~goes_on])
+    return Segments(np.append(borders[:-1][is_start], borders[-1]), pieces.kind[is_start], c[is_start])

@@ -506,13 +506,13 @@ def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
     return Profile(edges, kind, pieces, float(pieces[0, 0]), float(end))
 
 
-def _levels(road: Any, one: Profile) -> tuple[float, float]:
+def _levels(road: Any, profile: Profile) -> tuple[float, float]:
     """Heights in m before and after the course: its own ones, or zero, with an offset, or those it is smoothed to."""
     smooth = [float(road.get_option(f"border_smooth_{end}")) > 0.0 for end in ("ubeg", "uend")]
     keeps = int(road.get_option("border_mode_u")) != 1
     offset = float(road.get_option("border_offset_u"))
-    before = one.before if smooth[0] else (one.before if keeps else 0.0) + offset
-    after = one.after if smooth[1] else (one.after if keeps else 0.0) + offset
+    before = profile.before if smooth[0] else (profile.before if keeps else 0.0) + offset
+    after = profile.after if smooth[1] else (profile.after if keeps else 0.0) + offset
     return before, after
 
 

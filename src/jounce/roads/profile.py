@@ -46,12 +46,12 @@ class Profile:
 
 def profile(*pieces: Piece, after: float = 0.0) -> Profile:
     """Profile that starts at 0 from level 0; a piece is (length in m, kind, coefficients), empty ones are left out."""
-    kept = [piece for piece in pieces if piece[0] > SHORTEST]
-    lengths = [piece[0] for piece in kept]
+    long_pieces = [piece for piece in pieces if piece[0] > SHORTEST]
+    lengths = [piece[0] for piece in long_pieces]
     return Profile(
         edges=np.concatenate([[0.0], np.cumsum(lengths)]),
-        kind=np.array([piece[1] for piece in kept], dtype=np.int64),
-        coefficients=np.array([piece[2] for piece in kept], dtype=float).reshape(len(kept), 4),
+        kind=np.array([piece[1] for piece in long_pieces], dtype=np.int64),
+        coefficients=np.array([piece[2] for piece in long_pieces], dtype=float).reshape(len(long_pieces), 4),
         after=after,
     )
 

@@ -253,14 +253,14 @@ ROADS = Road.kinds
 """Every kind of road by its name in files."""
 
 
-def _check_recurrence(one: Profile, recurrence: float) -> None:
-    if abs(one.after - one.before) > LEVEL:
+def _check_recurrence(profile: Profile, recurrence: float) -> None:
+    if abs(profile.after - profile.before) > LEVEL:
         raise ValueError(
-            f"the road cannot recur: it ends {one.after - one.before:g} m higher than it begins; "
+            f"the road cannot recur: it ends {profile.after - profile.before:g} m higher than it begins; "
             "leave out recurrence or close the loop"
         )
-    if recurrence < one.span * (1.0 - 1e-9):
+    if recurrence < profile.span * (1.0 - 1e-9):
         raise ValueError(
             f"the obstacle comes again before it ends: recurrence {recurrence:g} m is shorter than "
-            f"its length {one.span:g} m"
+            f"its length {profile.span:g} m"
         )

@@ -377,14 +377,14 @@ class Trial(Description):
         Segments
             Pieces against time in s; heights in m, up positive. Every jump of height or slope is an edge.
         """
-        kept = _pieces_of(self)
-        if kept is None:
+        cached = _pieces_of(self)
+        if cached is None:
             return self._laid_out(behind, side)
-        if (behind, side) not in kept:
-            if len(kept) >= _MOST_WHEELS:
-                kept.clear()
-            kept[behind, side] = self._laid_out(behind, side)
-        return kept[behind, side]
+        if (behind, side) not in cached:
+            if len(cached) >= _MOST_WHEELS:
+                cached.clear()
+            cached[behind, side] = self._laid_out(behind, side)
+        return cached[behind, side]
 
     def _laid_out(self, behind: float, side: int) -> Segments:
         road = self.right if self.right is not None and side < 0 else self.road

@@ -425,32 +425,32 @@ def _at_rest(
             x[n_q + others] = 0.0
         slope = slopes["rate"]
         internal = [i for i in range(end, len(x)) if slope[i, i] != 0.0]  # others change only with motion
-        moved = np.zeros((len(x), len(others) + len(internal)))
-        moved[:n_q, : len(others)] = slope[:n_q, n_q + others]
-        moved[internal, range(len(others), moved.shape[1])] = 1.0
+        lift = np.zeros((len(x), len(others) + len(internal)))
+        lift[:n_q, : len(others)] = slope[:n_q, n_q + others]
+        lift[internal, range(len(others), lift.shape[1])] = 1.0
         free, _ = free_motions(loops[:, others], len(others))
         rows = np.array([*(n_q + others[free]), *internal], dtype=np.intp)
         rate = compiled.evaluate("rate", x, still, p, modes)[rows]
-        matrix, residual = slope[rows] @ moved, rate
-        closing: Array = np.zeros(moved.shape[1])
-        ways: Array = np.eye(moved.shape[1])
+        matrix, residual = slope[rows] @ lift, rate
+        closing: Array = np.zeros(lift.shape[1])
+        directions: Array = np.eye(lift.shape[1])
         if facts.constraints:  # first the shortest step that closes the loops, then along the motions that they allow
-            across = slopes["constraint"] @ moved
+            across = slopes["constraint"] @ lift
             left = compiled.evaluate("constraint", x, still, p, modes)
             closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)
             _, values, right = np.linalg.svd(across)
-            ways = right[int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0))) :].T
+            directions = right[int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0))) :].T
         size = np.max(np.abs(matrix), axis=1, initial=0.0)
         scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # rounding stays small
         residual = (residual + matrix @ closing) / scale[:, 0]
-        balance = matrix @ ways / scale
+        balance = matrix @ directions / scale
         _, values, right = np.linalg.svd(balance)
         decided = int(np.sum(values > _UNDECIDED * max(1.0, np.max(values, initial=0.0))))
         # as many accelerations as undetermined motions; the others vanish with them, or nothing is at rest
         chosen = qr(balance.T, mode="r", pivoting=True)[1][:decided] if balance.size else np.zeros(0, dtype=int)
         step = closing
         if decided:
-            step = step + ways @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
+            step = step + directions @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
         left_to_go = np.max(np.abs(step[: len(others)]), initial=0.0)
         if not np.all(np.isfinite(step)) or left_to_go > _FAR:
             break
@@ -458,7 +458,7 @@ def _at_rest(
         nearer = left_to_go < nearest - _NEARER * stride
         nearest, idle = (left_to_go, 0) if nearer else (nearest, idle + 1)
         stride = 2.0 * stride if nearer and tried > _ITERATIONS else _STRIDE
-        x = onto_loops(x + moved @ (step * (stride / max(left_to_go, stride))), modes)
+        x = onto_loops(x + lift @ (step * (stride / max(left_to_go, stride))), modes)
         before, modes = modes, (compiled.evaluate("switch", x, still, p, modes) > 0.0).astype(float)
         if np.array_equal(before, modes) and np.max(np.abs(step), initial=0.0) < _SETTLED * (
             1.0 + np.max(np.abs(x[:n_q]))
@@ -468,11 +468,11 @@ def _at_rest(
             fall = rate[n_q + others]
             if falling and not fallen and np.any(fall):
                 fallen = True
-                x = onto_loops(x + moved[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes)
+                x = onto_loops(x + lift[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes)
                 continue
             if falling:
                 names = ", ".join(dict.fromkeys(moved_by(name) for name in falling))
                 raise SimulationError("no static equilibrium was found: nothing holds it", where=names, hint=_HINT)
-            neutral = np.any(np.abs((ways @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1)
+            neutral = np.any(np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1)
             return x, [moved_by(facts.speeds[i]) for i in others[neutral]]
     raise SimulationError("no static equilibrium was found", where="the mechanism", hint=_HINT)

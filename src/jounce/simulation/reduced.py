@@ -88,10 +88,10 @@ class Reduction(Sampling):
     def sensitive(self, degree: int, free: tuple[str, ...]) -> Compiled:
         """The same with sensitivities to parameters of the description; those in a table change all of it."""
         places = self.places(degree)
-        moved = tuple(path for path in free if path in places.given)
+        free_table = tuple(path for path in free if path in places.given)
         if any(map(self.is_sampled, free)):
-            moved += tuple(path for path in places.table if path not in (MIDDLE, HALF))
-        return replace(_sensitive(self.rig, structure_of(self.rig), degree, moved, len(free)), free=free)
+            free_table += tuple(path for path in places.table if path not in (MIDDLE, HALF))
+        return replace(_sensitive(self.rig, structure_of(self.rig), degree, free_table, len(free)), free=free)
 
     @once
     def are_factors(self) -> NDArray[np.bool_]:
@@ -135,13 +135,13 @@ class Reduction(Sampling):
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
         return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
 
-    def _sizes(self, kept: Array, half: float) -> Array:
+    def _sizes(self, sizes: Array, half: float) -> Array:
         """Reference of the error of each quantity except the first: its value, or its variation if that counts.
 
         ``kept`` are the absolute values of its coefficients along the last axis.
         """
-        levers = np.maximum(kept[..., 1:].sum(axis=-1), FLAT * half)
-        size = np.where(self.are_factors.reshape(-1, *[1] * (kept.ndim - 2)), kept[..., 0], levers)
+        levers = np.maximum(sizes[..., 1:].sum(axis=-1), FLAT * half)
+        size = np.where(self.are_factors.reshape(-1, *[1] * (sizes.ndim - 2)), sizes[..., 0], levers)
         size[0] = size[1]  # momentum and inertia belong to one matrix
         return size
 
@@ -284,11 +284,11 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
     return Reduction(sampling.native, sampling.names, sampling.tracks, sampling.parameters, sampling.start, rig)
 
 
-def _sensitive(rig: Corner, structure: str, degree: int, moved: tuple[str, ...], count: int) -> Compiled:
+def _sensitive(rig: Corner, structure: str, degree: int, varied: tuple[str, ...], count: int) -> Compiled:
     """The same for any ``count`` numbers that change the parameters ``moved``."""
-    key = ("reduced", type(rig).__name__, structure, degree, moved, count)
+    key = ("reduced", type(rig).__name__, structure, degree, varied, count)
     plain, free = _compiled(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
-    return compile_described(key, plain.source, free, lambda: plain, moved)
+    return compile_described(key, plain.source, free, lambda: plain, varied)
 
 
 def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:

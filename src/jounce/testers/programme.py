@@ -69,10 +69,10 @@ def angle_of(tests: list[SweptAngle]) -> Segments:
         edges.append(test.edges[3])
         rows.append([test.end, 0.0, 0.0])
     edges.append(edges[-1] + 1.0)
-    kept = [i for i in range(len(rows)) if edges[i + 1] > edges[i]]
-    coefficients = np.zeros((len(kept), 4))
-    coefficients[:, :3] = np.array(rows)[kept]
-    return Segments(np.array([*(edges[i] for i in kept), edges[-1]]), np.zeros(len(kept), np.int64), coefficients)
+    used = [i for i in range(len(rows)) if edges[i + 1] > edges[i]]
+    coefficients = np.zeros((len(used), 4))
+    coefficients[:, :3] = np.array(rows)[used]
+    return Segments(np.array([*(edges[i] for i in used), edges[-1]]), np.zeros(len(used), np.int64), coefficients)
 
 
 Wheel = Literal["left", "right", "both"]
@@ -118,7 +118,7 @@ def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Progr
         begin = turns[test[0]][-1].edges[-1] + programme.pause
     end = begin - programme.pause
     times = _times(0.0, end, tester.sampling_frequency)
-    angles = {place: angle_of(found) for place, found in turns.items()}
+    angles = {place: angle_of(swept) for place, swept in turns.items()}
     solution = on.run(angles, times, fastest=_fastest(programme))
     return _course(on, times, solution.outputs)
 
@@ -136,12 +136,12 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRu
         rest = programme.duration + (programme.pause if number + 1 < len(tests) else 0.0)
         for here, kind, length in _phases(on, rig_on_tester(rig, tester, test), hold, rest):
             times = begin + _times(0.0, length, tester.sampling_frequency)
-            moved = {
+            courses = {
                 place: _track(kind if place in test else "still", state.get(channel(place, ANGLE), 0.0), rate, begin)
                 for place in on.places
             }
-            solution = here.run(moved, times, start=state or None, fastest=_fastest(programme))
-            state = _state(here, moved, solution.states[:, -1], times[-1:])
+            solution = here.run(courses, times, start=state or None, fastest=_fastest(programme))
+            state = _state(here, courses, solution.states[:, -1], times[-1:])
             values = dict(zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True))
             outputs = outputs or here.compiled.facts.outputs
             pieces.append((times[bool(pieces) :], values))

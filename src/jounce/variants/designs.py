@@ -411,8 +411,8 @@ def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Arra
     begin = random.integers(0, LEVELS, (count, numbers))
     end = (begin + LEVELS // 2) % LEVELS
     rank = np.argsort(random.random((count, numbers)), axis=1)  # in which step each number is moved
-    moved = rank[:, None, :] < np.arange(numbers + 1)[:, None]
-    levels = np.where(moved, end[:, None, :], begin[:, None, :])
+    is_moved = rank[:, None, :] < np.arange(numbers + 1)[:, None]
+    levels = np.where(is_moved, end[:, None, :], begin[:, None, :])
     return np.asarray((levels.reshape(-1, numbers) + 0.5) / LEVELS, dtype=float)
 
 

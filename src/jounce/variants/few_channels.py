@@ -73,9 +73,9 @@ class FewChannels:
 
     def _samples(self, times: Array) -> Samples:
         """The arrays of this thread."""
-        kept: Samples | None = getattr(self._own, "samples", None)
-        if kept is None or len(kept.times) != len(times):
-            kept = room(self.compiled, times, len(self.names))
-        kept = kept._replace(times=times)
-        self._own.samples = kept
-        return kept
+        samples: Samples | None = getattr(self._own, "samples", None)
+        if samples is None or len(samples.times) != len(times):
+            samples = room(self.compiled, times, len(self.names))
+        samples = samples._replace(times=times)
+        self._own.samples = samples
+        return samples

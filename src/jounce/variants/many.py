@@ -365,7 +365,8 @@ class VariantStudy:
         """Rig, trial and controller with the numbers (SI) of one variant."""
         own = {path: value for path, value in changes.items() if not path.startswith((_TRIAL, _CONTROL))}
         trial, control = (
-            _changed(one, changes, prefix) for one, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
+            _changed(description, changes, prefix)
+            for description, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
         )
         return self.rig.with_changes(own), trial, control
 
@@ -491,8 +492,8 @@ class _TrialGroup:
         """Fill in the variants that can run in vectors; return the remaining ones."""
         study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
         limits = branch_limits(study.compiled.output_names)
-        kept = [study.compiled.output_names.index(name) for name in names]
-        channels = list(dict.fromkeys([*kept, *limits]))
+        outputs = [study.compiled.output_names.index(name) for name in names]
+        channels = list(dict.fromkeys([*outputs, *limits]))
         layout = self._layout(channels)
         make = results.frame.make
         sums = sums_side_by_side(layout, parameters, threads, make) if layout is not None else None
@@ -508,29 +509,29 @@ class _TrialGroup:
         sound = ~careful
         count = int(np.count_nonzero(sound))
         for i, metric in enumerate(results.metrics):
-            found = of_sums(metric.word, sums, names.index(metric.channel))
+            values = of_sums(metric.word, sums, names.index(metric.channel))
             if count == results.count:
-                results.numbers[:, i] = found
+                results.numbers[:, i] = values
             else:
-                results.numbers[rows[sound], i] = found[sound]
+                results.numbers[rows[sound], i] = values[sound]
         results.tally["side_by_side"] += count
         return careful
 
     def _layout(self, channels: Sequence[int]) -> SharedLayout | None:
         """Layout shared by vectorised variants, stored with the trial for later sweeps."""
         study = self.study
-        kept = _layouts_of(self.trial)
+        layouts = _layouts_of(self.trial)
         wheels = tuple(study.rig.wheels.items()) if isinstance(study.rig, Vehicle) else ()
         key = study.compiled.identity, study.base.tobytes(), wheels, study.settings, tuple(channels)
-        if kept is None or key not in kept:
+        if layouts is None or key not in layouts:
             times = study.settings.times(self.trial.duration)
             layout = lay_out(study.compiled, study.base, self._signals, times, channels)
-            if kept is None:
+            if layouts is None:
                 return layout
-            if len(kept) >= _MOST_LAYOUTS:
-                kept.clear()
-            kept[key] = layout
-        return kept[key]
+            if len(layouts) >= _MOST_LAYOUTS:
+                layouts.clear()
+            layouts[key] = layout
+        return layouts[key]
 
     def _stepped(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
@@ -562,8 +563,8 @@ class _TrialGroup:
     ) -> _Travelled:
         """Step variants and fill in those that stay within their tables; return the travel of the others."""
         study, nowhere = self.study, np.full(len(rows), np.nan)
-        told = _Travelled(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
-        base, numbers, sound, one, tolerance = laid_out
+        travelled = _Travelled(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
+        base, numbers, sound, corner, tolerance = laid_out
         outputs = study.compiled.output_names
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
         angles = angles_of(outputs) if base.compiled.facts.projects else []  # one coordinate cannot flip
@@ -576,36 +577,38 @@ class _TrialGroup:
         sound &= ~rest.lost.ravel()[: len(rows)]
         results.make_room()
 
-        def take(block: int, states: Array, found: Array) -> None:
+        def take(block: int, states: Array, courses: Array) -> None:
             first = block * wide
             count = min(wide, len(rows) - first)
-            inside = one.holds(states)[:count] if one is not None else np.ones(count, dtype=bool)
-            kept = np.ones(wide, dtype=bool)
+            inside = corner.holds(states)[:count] if corner is not None else np.ones(count, dtype=bool)
+            valid = np.ones(wide, dtype=bool)
             for name, limit in limits.items():  # a single run reports variants that run away
-                course = found[row_of[name]]
-                kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
+                course = courses[row_of[name]]
+                valid = valid & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
             for name in angles:
-                kept = kept & turns_little(found[row_of[name]])
-            sane = sound[first : first + count] & kept[:count]
+                valid = valid & turns_little(courses[row_of[name]])
+            sane = sound[first : first + count] & valid[:count]
             lanes, beyond = np.flatnonzero(sane & inside), np.flatnonzero(sane & ~inside)
-            if one is not None:
-                told.low[first + beyond], told.high[first + beyond] = (part[beyond] for part in one.travelled(states))
+            if corner is not None:
+                travelled.low[first + beyond], travelled.high[first + beyond] = (
+                    part[beyond] for part in corner.travelled(states)
+                )
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):
                 row = row_of[metric.channel]
-                moved = (found[row] - still[row, :, None])[lanes]
+                signals = (courses[row] - still[row, :, None])[lanes]
                 results.numbers[rows[first + lanes], i] = of_courses(
-                    metric, moved, still[row, lanes], study.settings.output_step
+                    metric, signals, still[row, lanes], study.settings.output_step
                 )
             if results.channels:
                 shown = [row_of[name] for name in results.channels]
                 for lane in lanes:
-                    results.courses[rows[first + lane]] = found[shown, lane].copy()
-            told.held[first + lanes] = True
+                    results.courses[rows[first + lane]] = courses[shown, lane].copy()
+            travelled.held[first + lanes] = True
 
         blocks.run(rest, take, threads)
-        results.tally["side_by_side"] += int(np.sum(told.held))
-        return told
+        results.tally["side_by_side"] += int(np.sum(travelled.held))
+        return travelled
 
     def _laid_out(self, parameters: Array, travel: tuple[float, float] | None = None) -> _LaidOut | None:
         """Prepare the stepping of variants in vectors; None if impossible, or if the rig itself cannot run.
@@ -628,12 +631,12 @@ class _TrialGroup:
             names = study.compiled.facts.parameters
             values = dict(zip(names, study.base.tolist(), strict=True))
             corner = ReducedCorner(study.reduction, values, self._signals, times, tolerance)
-            one = corner.lay_out() if travel is None else corner.beyond(*travel)
-            if one is None:
+            stepper = corner.lay_out() if travel is None else corner.beyond(*travel)
+            if stepper is None:
                 return None
             whole = np.concatenate([study.base[None, :], parameters])
-            numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
-            laid_out = _LaidOut(one.prepared, numbers[1:], sound[1:], one, STEPS_SHARE * tolerance)
+            numbers, sound = study.reduction.alike(stepper.table, stepper.degree, names, whole, corner.limit)
+            laid_out = _LaidOut(stepper.prepared, numbers[1:], sound[1:], stepper, STEPS_SHARE * tolerance)
         base = laid_out.base
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return laid_out if steps else None
@@ -641,19 +644,19 @@ class _TrialGroup:
     def _alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
         """Fill in the result of a run, or the reason why there is none."""
         try:
-            found = run()
+            run_samples = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
             results.reasons[row] = reason(error)
             return
-        if found.findings:
-            results.found.add(found.findings)
+        if run_samples.findings:
+            results.found.add(run_samples.findings)
         for i, metric in enumerate(results.metrics):
-            j = found.names.index(metric.channel)
+            j = run_samples.names.index(metric.channel)
             results.numbers[row, i] = of_course(
-                metric, found.outputs[j], found.rest[j], self.study.settings.output_step
+                metric, run_samples.outputs[j], run_samples.rest[j], self.study.settings.output_step
             )
         if results.channels:
-            results.courses[row] = found.outputs[[found.names.index(name) for name in results.channels]]
+            results.courses[row] = run_samples.outputs[[run_samples.names.index(name) for name in results.channels]]
 
     def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _RunSamples:
         """Run the rig with some of its numbers changed."""
@@ -693,14 +696,14 @@ class _TrialGroup:
         values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
         course = values, signals, times, study.settings.tolerance
         if study.reduction is not None:
-            found = ReducedCorner(study.reduction, *course).run()
+            output = ReducedCorner(study.reduction, *course).run()
         elif study.car is not None:
-            found = ReducedCar(study.car, *course).run()
+            output = ReducedCar(study.car, *course).run()
         else:
             return None
-        if found is None:
+        if output is None:
             return None
-        solution, prepared = found
+        solution, prepared = output
         at = prepared.equilibrium
         assert at is not None
         still, values_there = prepared.still, prepared.problem.p

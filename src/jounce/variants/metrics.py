@@ -119,15 +119,15 @@ def of_course(metric: RunMetric, values: Array, rest: float, output_step: float)
     return float(of_courses(metric, (values - rest)[None, :], np.array([rest]), output_step)[0])
 
 
-def of_courses(metric: RunMetric, moved: Array, rest: Array, output_step: float) -> Array:
+def of_courses(metric: RunMetric, courses: Array, rest: Array, output_step: float) -> Array:
     """The same of rows of samples, from which the values at rest have been taken."""
     if metric.needs_course:
-        felt = [weighted(row, 1.0 / output_step, metric.word) for row in moved]
+        felt = [weighted(row, 1.0 / output_step, metric.word) for row in courses]
         return np.array([float(np.sqrt(np.mean(row**2))) for row in felt])
     if metric.word == "rms":
-        return np.asarray(np.sqrt(np.einsum("ij,ij->i", moved, moved) / moved.shape[1]))
+        return np.asarray(np.sqrt(np.einsum("ij,ij->i", courses, courses) / courses.shape[1]))
     if metric.word == "range":
-        return np.asarray(np.ptp(moved, axis=1))
+        return np.asarray(np.ptp(courses, axis=1))
     if metric.word == "mean":
-        return np.asarray(rest + moved.mean(axis=1))
-    return np.asarray(rest + (moved.min(axis=1) if metric.word == "min" else moved.max(axis=1)))
+        return np.asarray(rest + courses.mean(axis=1))
+    return np.asarray(rest + (courses.min(axis=1) if metric.word == "min" else courses.max(axis=1)))

@@ -88,7 +88,7 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     design = str(many.attrs.get("design", "list"))
     size = {"saltelli": len(paths) + 2, "morris": len(paths) + 1}.get(design, 1)
     belong = many["variant"].to_numpy() // size
-    found: dict[str, Array] = {}
+    indices: dict[str, Array] = {}
     left_out = 0
     for i, name in enumerate(names):
         y = many[name].to_numpy().astype(float)
@@ -101,16 +101,16 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
             results |= _ends(values[good], y[good])
         left_out = max(left_out, int(np.sum(~good)))
         for key, result in results.items():
-            found.setdefault(key, np.full((len(names), *result.shape), np.nan))[i] = result
+            indices.setdefault(key, np.full((len(names), *result.shape), np.nan))[i] = result
     variables = {
         key: (
-            ("metric", "number")[: one.ndim],
-            one,
+            ("metric", "number")[: index_values.ndim],
+            index_values,
             {"long_name": _WORDS[key.removesuffix("_low").removesuffix("_high")]},
         )
         if key not in ("at_low", "at_high")
-        else (("metric", "number"), one, {"long_name": _WORDS[key]})
-        for key, one in found.items()
+        else (("metric", "number"), index_values, {"long_name": _WORDS[key]})
+        for key, index_values in indices.items()
     }
     units = [str(many[name].attrs.get("units", "1")) for name in names]
     where = {"metric": names, "number": paths, "units": ("metric", units)}
@@ -165,7 +165,7 @@ def _resampled(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, .
     random = np.random.default_rng(0)
     times = _RESAMPLES if rows * numbers <= _MANY else _FEWER
     drawn = [estimate(random.integers(0, rows, rows)) for _ in range(times)]
-    ends = [np.percentile(np.array(one), _CONFIDENCE, axis=0) for one in zip(*drawn, strict=True)]
+    ends = [np.percentile(np.array(estimates), _CONFIDENCE, axis=0) for estimates in zip(*drawn, strict=True)]
     return [(low, high) for low, high in ends]
 
 
@@ -173,20 +173,20 @@ def _with_ends(
     names: Sequence[str], rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
 ) -> dict[str, Array]:
     with np.errstate(divide="ignore", invalid="ignore"):  # a draw without variation
-        found = estimate(slice(None))
+        values = estimate(slice(None))
         ends = _resampled(rows, numbers, estimate)
     results: dict[str, Array] = {}
     wider = 1.0 + _FEW / rows
-    for name, value, (low, high) in zip(names, found, ends, strict=False):
+    for name, value, (low, high) in zip(names, values, ends, strict=False):
         below, above = wider * np.maximum(value - low, 0.0), wider * np.maximum(high - value, 0.0)
         least = 0.0 if name in _NEVER_NEGATIVE else -np.inf
         results |= {name: value, f"{name}_low": np.maximum(value - below, least), f"{name}_high": value + above}
     return results
 
 
-def _enough(found: int, least: int) -> None:
-    if found < least:
-        raise DescriptionError("too few variants that ran", where="many", found=found, allowed=f"at least {least}")
+def _enough(count: int, least: int) -> None:
+    if count < least:
+        raise DescriptionError("too few variants that ran", where="many", found=count, allowed=f"at least {least}")
 
 
 def _are_whole(belong: Array, ran: Array, size: int) -> Array:
@@ -216,9 +216,9 @@ def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
     runs = y.reshape(-1, numbers + 1)
     steps = np.diff(values.reshape(-1, numbers + 1, numbers), axis=1)
     effects = np.zeros((len(runs), numbers))
-    moved = np.argmax(np.abs(steps) > 0.0, axis=2)
-    signs = np.sign(np.take_along_axis(steps, moved[:, :, None], axis=2)[:, :, 0])
-    np.put_along_axis(effects, moved, 2.0 * signs * np.diff(runs, axis=1), axis=1)  # a step is half of the shares
+    number = np.argmax(np.abs(steps) > 0.0, axis=2)
+    signs = np.sign(np.take_along_axis(steps, number[:, :, None], axis=2)[:, :, 0])
+    np.put_along_axis(effects, number, 2.0 * signs * np.diff(runs, axis=1), axis=1)  # a step is half of the shares
 
     def estimate(rows: Any) -> tuple[Array, ...]:
         chosen = effects[rows]

@@ -175,32 +175,32 @@ def keep_in_shards(
     """
     folder = resolved(out, home=True)
     study, goes_on = study_of(work, columns), (folder / MANIFEST).is_file() and resume
-    kept = read_kept(folder) if goes_on else None
-    if kept is not None:
-        _check_same(kept, study)
+    shards = read_kept(folder) if goes_on else None
+    if shards is not None:
+        _check_same(shards, study)
     else:
         _refuse_taken(folder, force=force)
-    pace = _pace(work, columns) if kept is None or workers is None else _Pace(0.0, is_alone=False)
+    pace = _pace(work, columns) if shards is None or workers is None else _Pace(0.0, is_alone=False)
     if workers is None:
         lasts = pace.seconds * len(next(iter(columns.values())))
         workers = processors() if pace.is_alone and lasts > _LONG and refusal() is None else 1
     if workers > 1 and client is None:
         check_workers()
-    begins = kept is None
-    if kept is None:
+    begins = shards is None
+    if shards is None:
         size = _size(work, columns, workers if client is None else 64, pace)
-        kept = _planned(folder, work, columns, study, size, command)
+        shards = _planned(folder, work, columns, study, size, command)
     folder.mkdir(parents=True, exist_ok=True)
     with _alone(folder):
         if begins:
-            _begin(kept)
-        done = kept.whole()
-        _check_disk(kept, work, [kept.spans[number] for number in range(len(kept.spans)) if number not in done])
-        version, finished = _version(), sum(kept.spans[number][1] - kept.spans[number][0] for number in done)
-        say(finished, kept.count)
+            _begin(shards)
+        done = shards.whole()
+        _check_disk(shards, work, [shards.spans[number] for number in range(len(shards.spans)) if number not in done])
+        version, finished = _version(), sum(shards.spans[number][1] - shards.spans[number][0] for number in done)
+        say(finished, shards.count)
         tasks = [
             Task(number, first, {path: column[first:end] for path, column in columns.items()}, version)
-            for number, (first, end) in enumerate(kept.spans)
+            for number, (first, end) in enumerate(shards.spans)
             if number not in done
         ]
         if client is not None:
@@ -211,11 +211,11 @@ def keep_in_shards(
             results = here(work, tasks, threads)
         with closing(results):  # at once, however the loop ends: workers must not continue
             for number, content in results:
-                _write(kept, number, content)
-                finished += kept.spans[number][1] - kept.spans[number][0]
-                say(finished, kept.count)
+                _write(shards, number, content)
+                finished += shards.spans[number][1] - shards.spans[number][0]
+                say(finished, shards.count)
     result = load_sweep(folder)
-    if kept.is_zarr:
+    if shards.is_zarr:
         zarr_shards.describe(folder, result.attrs)
     return result
 
@@ -223,20 +223,20 @@ def keep_in_shards(
 def _refuse_taken(folder: Path, *, force: bool) -> None:
     """Refuse a folder with something in it, telling how to go on where that is a sweep."""
     if not force and (folder / MANIFEST).is_file():
-        kept = read_kept(folder)
+        shards = read_kept(folder)
         raise OutputError(
             "the folder holds a sweep",
             where=str(folder),
-            found=f"{len(kept.names())} of {len(kept.spans)} shards",
+            found=f"{len(shards.names())} of {len(shards.spans)} shards",
             hint="Go on with --resume (in Python resume=True), or choose another folder; --force drops what is there.",
         )
     check_folder(folder, force=force)
 
 
-def _write(kept: Kept, number: int, content: bytes) -> None:
+def _write(shards: Kept, number: int, content: bytes) -> None:
     """Store a shard; if the disk is full, report the remaining work."""
     try:
-        kept.write(number, content)
+        shards.write(number, content)
     except OutputError as error:
         hint = f"What is finished is kept: make room, then resume. {error.hint}".rstrip()
         raise OutputError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint) from None
@@ -276,23 +276,23 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     """
     import xarray as xr
 
-    kept = read_kept(resolved(folder, home=True))
-    spans = {number: kept.spans[number] for number in kept.names()}
+    shards = read_kept(resolved(folder, home=True))
+    spans = {number: shards.spans[number] for number in shards.names()}
     count = sum(end - first for first, end in spans.values())
-    found: dict[str, Array] = {}
+    arrays: dict[str, Array] = {}
     first_shard, row, tally, findings = None, 0, dict.fromkeys(_COUNTED, 0), Tally()
     for number in sorted(spans):
-        shard = kept.read(number)
+        shard = shards.read(number)
         if shard is None:
             continue
         if channels is None:
             over_time = [variable for variable in shard.data_vars.values() if "time" in variable.dims]
-            channels = count * sum(one[0].size for one in over_time) <= _MOST_NUMBERS
+            channels = count * sum(array[0].size for array in over_time) <= _MOST_NUMBERS
         if not channels:
             shard = shard.drop_dims("time", errors="ignore")
         if first_shard is None:
             first_shard = shard
-            found = {
+            arrays = {
                 str(name): np.empty(
                     (count, *variable.shape[1:]), dtype=variable.dtype if variable.dtype.kind in "fi" else object
                 )
@@ -300,23 +300,23 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
                 if "variant" in variable.dims
             }
         size = shard.sizes["variant"]
-        for name, values in found.items():
+        for name, values in arrays.items():
             values[row : row + size] = shard[name].to_numpy()
         row += size
         for name in _COUNTED:
             tally[name] += int(shard.attrs.get(name, 0))
         findings.merge(shard.attrs)
     if first_shard is None:
-        return xr.Dataset(attrs={"variants": kept.count})
+        return xr.Dataset(attrs={"variants": shards.count})
     variables = {
         str(name): xr.Variable(
-            variable.dims, found[str(name)][:row] if str(name) in found else variable.to_numpy(), variable.attrs
+            variable.dims, arrays[str(name)][:row] if str(name) in arrays else variable.to_numpy(), variable.attrs
         )
         for name, variable in first_shard.variables.items()
     }
     coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
     data = {name: variable for name, variable in variables.items() if name not in coordinates}
-    attributes = {**to_plain(first_shard.attrs), **tally, **findings.attributes(), "variants": kept.count}
+    attributes = {**to_plain(first_shard.attrs), **tally, **findings.attributes(), "variants": shards.count}
     return xr.Dataset(data, coordinates, attributes)
 
 
@@ -327,10 +327,10 @@ def read_kept(folder: Path) -> Kept:
         if not file.is_file():
             raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}")
         about = json.loads(content_of(file, OutputError))
-        kept = Kept(folder, about)
+        shards = Kept(folder, about)
         size = int(about["shard"])
-        if about["schema"] == SCHEMA and 1 <= kept.count <= _MOST_SHARDS * size and size >= 1 and "study" in about:
-            return kept
+        if about["schema"] == SCHEMA and 1 <= shards.count <= _MOST_SHARDS * size and size >= 1 and "study" in about:
+            return shards
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         pass
     raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
@@ -351,7 +351,7 @@ def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
         )
     described = {"rig": study.rig, "trial": study.trial, "control": study.control}
     return {
-        **{name: None if one is None else _plain(one.model_dump(by_alias=True)) for name, one in described.items()},
+        **{name: None if part is None else _plain(part.model_dump(by_alias=True)) for name, part in described.items()},
         "settings": to_plain(study.settings),
         "metrics": [metric.text for metric in work.metrics],
         "outputs": list(work.channels),
@@ -394,12 +394,12 @@ def _flat(value: Any, path: str = "") -> dict[str, Any]:
         inner = [_flat(item, f"{path}[{i}]") for i, item in enumerate(value)]
     else:
         return {path: value}
-    return {key: item for one in inner for key, item in one.items()}
+    return {key: item for part in inner for key, item in part.items()}
 
 
-def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
+def _check_same(shards: Kept, study: Mapping[str, Any]) -> None:
     """Refuse to go on with another study, naming what differs."""
-    before, now = _flat(kept.about["study"]), _flat(json.loads(to_json(study)))
+    before, now = _flat(shards.about["study"]), _flat(json.loads(to_json(study)))
     changed = [path for path in dict.fromkeys([*before, *now]) if before.get(path) != now.get(path)]
     if not changed:
         return
@@ -409,7 +409,7 @@ def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
     more = f" and {len(texts) - _MOST_DIFFERENCES} more" if len(texts) > _MOST_DIFFERENCES else ""
     raise OutputError(
         "the sweep that is to be resumed was another one",
-        where=str(kept.folder),
+        where=str(shards.folder),
         found=f"{'; '.join(texts[:_MOST_DIFFERENCES])}{more}",
         hint="Take back what was changed, or begin in another folder.",
     )
@@ -453,18 +453,18 @@ def _planned(
         "command": command or command_line(sys.argv),
         "study": study,
     }
-    kept = Kept(folder, about)
-    _check_disk(kept, work, kept.spans)
-    return kept
+    shards = Kept(folder, about)
+    _check_disk(shards, work, shards.spans)
+    return shards
 
 
-def _begin(kept: Kept) -> None:
+def _begin(shards: Kept) -> None:
     """Write what the results follow from; shards of an earlier sweep in the folder go."""
-    for file in (kept.folder / SHARDS).glob("*"):
+    for file in (shards.folder / SHARDS).glob("*"):
         if _NAME.fullmatch(file.name):
             file.unlink()
-    zarr_shards.clear(kept.folder)
-    write_atomically(kept.folder / MANIFEST, f"{to_json(kept.about)}\n", force=True)
+    zarr_shards.clear(shards.folder)
+    write_atomically(shards.folder / MANIFEST, f"{to_json(shards.about)}\n", force=True)
 
 
 @dataclass(frozen=True)
@@ -481,9 +481,9 @@ def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
     work.run({path: column[:1] for path, column in columns.items()})  # compile first
     while True:
         started = time.perf_counter()
-        found = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
-        took, size = time.perf_counter() - started, found.sizes["variant"]
-        together = found.attrs["side_by_side"]
+        dataset = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
+        took, size = time.perf_counter() - started, dataset.sizes["variant"]
+        together = dataset.attrs["side_by_side"]
         if together > before and took > _TRIED:  # the first that ran side by side waited for their code
             before = together
             continue
@@ -507,17 +507,17 @@ def _bytes_of_a_variant(work: VariantWork, columns: Mapping[str, Array]) -> int:
     return 8 * (len(columns) + len(work.metrics) + len(work.channels) * samples + 1) + 32
 
 
-def _check_disk(kept: Kept, work: VariantWork, spans: list[tuple[int, int]]) -> None:
+def _check_disk(shards: Kept, work: VariantWork, spans: list[tuple[int, int]]) -> None:
     """Refuse results that exceed the room on the disk, before the work."""
-    there = next(one for one in (kept.folder, *kept.folder.parents) if one.exists())
-    paths = [path for path in kept.about["study"]["variants"] if path not in ("design", "seed")]
+    there = next(parent for parent in (shards.folder, *shards.folder.parents) if parent.exists())
+    paths = [path for path in shards.about["study"]["variants"] if path not in ("design", "seed")]
     each = _bytes_of_a_variant(work, dict.fromkeys(paths, np.array([work.study.trial.duration])))
     needed = sum(each * (end - first) + _OVERHEAD for first, end in spans)
     free = shutil.disk_usage(there).free
     if needed > free:
         raise OutputError(
             "the results are more than the disk has room for",
-            where=str(kept.folder),
+            where=str(shards.folder),
             found=_bytes_told(needed),
             allowed=_bytes_told(free),
             hint="Keep metrics, fewer outputs, or a longer output step.",

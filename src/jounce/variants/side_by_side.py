@@ -179,7 +179,7 @@ def lay_out(
     course, together = lanes.course(tracks, each, inputs, nodes, jumping, terms, frequency)
     depends = lanes.dependence(compiled.identity, lambda: compiled.functions["output"])
     rows = tuple(depends[channel] for channel in channels)
-    made = lanes.Sizes(
+    lane_sizes = lanes.Sizes(
         len(facts.states),
         count,
         len(course.felt),
@@ -192,7 +192,7 @@ def lay_out(
         parts > 1,
     )
     functions = compiled.functions
-    code = lanes.code(compiled.identity, made, lambda: (functions["switch"], functions["rate"]))
+    code = lanes.code(compiled.identity, lane_sizes, lambda: (functions["switch"], functions["rate"]))
     look, glance = code.address[:2]
     work = lanes.Work(
         run,
@@ -263,9 +263,9 @@ def _outputs_are_linear(
     random = np.random.default_rng(0)
     for _ in range(3):
         dx, du = 0.1 * random.standard_normal(len(x)), 0.1 * random.standard_normal(len(u))
-        found = compiled.evaluate("output", x + dx, u + du, p, modes)[chosen]
+        outputs = compiled.evaluate("output", x + dx, u + du, p, modes)[chosen]
         linear = at + by_x @ dx + by_u @ du
         size = np.abs(at) + np.abs(by_x) @ np.abs(dx) + np.abs(by_u) @ np.abs(du)
-        if np.any(np.abs(found - linear) > 1e-9 * size + 1e-300):
+        if np.any(np.abs(outputs - linear) > 1e-9 * size + 1e-300):
             return False
     return True

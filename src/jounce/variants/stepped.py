@@ -84,11 +84,11 @@ def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> 
         from jounce.kernel.methods.runge_kutta import Step
 
         graphs, facts = compiled.functions, compiled.facts
-        made = {name: Wide(graphs[name], width) for name in ("rate", "switch")}
+        functions = {name: Wide(graphs[name], width) for name in ("rate", "switch")}
         if facts.projects:
-            made |= {name: Wide(graphs["project_many"], width) for name in ("project", "project_many")}
+            functions |= {name: Wide(graphs["project_many"], width) for name in ("project", "project_many")}
         inputs, n = len(facts.tracks) * facts.track_order, len(facts.states)
-        return Source(made, Step("rate", n * width, n * width, inputs, len(facts.switches) * width))
+        return Source(functions, Step("rate", n * width, n * width, inputs, len(facts.switches) * width))
 
     return _code(compiled, f"stepped {width}", steps), code_of_outputs(compiled, channels, width)
 
@@ -189,11 +189,11 @@ class LaneBlocks:
 
     def _closed(self, x: Array, modes: Array, times: int = _PROJECTIONS) -> tuple[Array, Array]:
         """States moved onto the loops some times, and how far open these were the last time: (blocks, lanes)."""
-        told = np.zeros((len(x), 2, x.shape[2]))
+        residual = np.zeros((len(x), 2, x.shape[2]))
         for _ in range(times if self.compiled.facts.projects else 0):
-            found = self._evaluate("project", 2 + x.shape[1], x, modes)
-            told, x = found[:, :2], found[:, 2:]
-        return x, told[:, 0]
+            projected = self._evaluate("project", 2 + x.shape[1], x, modes)
+            residual, x = projected[:, :2], projected[:, 2:]
+        return x, residual[:, 0]
 
     def _slopes(self, x: Array, modes: Array) -> Array:
         """Slopes of speeds and accelerations of the free motions by these motions: (blocks, lanes, rows, columns).
@@ -203,22 +203,22 @@ class LaneBlocks:
         """
         at = self.base.equilibrium
         assert at is not None
-        moved, rates = [], []
+        displacements, rates = [], []
         for motion in at.lift.T:
             there = [self._closed(x + side * motion[None, :, None], modes, 1)[0] for side in (_MOVE, -_MOVE)]
             rate = [self._evaluate("rate", len(at.x), place, modes) for place in there]
-            moved.append(np.einsum("rn,bnl->blr", at.pick, there[0] - there[1]))
+            displacements.append(np.einsum("rn,bnl->blr", at.pick, there[0] - there[1]))
             rates.append(np.einsum("rn,bnl->blr", at.pick, rate[0] - rate[1]))
-        by, found = np.stack(moved, axis=-1), np.stack(rates, axis=-1)
-        one = np.eye(at.lift.shape[1])
-        usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(found).all(axis=(2, 3))
-        by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
+        by, rate_slopes = np.stack(displacements, axis=-1), np.stack(rates, axis=-1)
+        identity = np.eye(at.lift.shape[1])
+        usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(rate_slopes).all(axis=(2, 3))
+        by, rate_slopes = (np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes))
         usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave no free motion
-        by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
-        slopes = np.linalg.solve(by.swapaxes(2, 3), found.swapaxes(2, 3)).swapaxes(2, 3)
+        by, rate_slopes = (np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes))
+        slopes = np.linalg.solve(by.swapaxes(2, 3), rate_slopes.swapaxes(2, 3)).swapaxes(2, 3)
         free = len(at.free)
         usable &= np.linalg.det(slopes[..., free:, :free]) != 0.0
-        return np.where(usable[..., None, None], slopes, np.roll(one, free, axis=0))
+        return np.where(usable[..., None, None], slopes, np.roll(identity, free, axis=0))
 
     def outputs_at_rest(self, rest: Rest, block: int) -> Array:
         """The requested outputs, (rows, lanes)."""
@@ -273,7 +273,9 @@ class LaneBlocks:
         return Status.of(explicit.integrate(problem, control, out, np.zeros(3, dtype=np.int64), systems=wide))
 
     def _room(self) -> Samples:
-        wide, one = self.numbers.shape[2], self.base.out
-        states, outputs = (np.empty((rows * wide, len(one.times))) for rows in (len(one.states), len(self.channels)))
-        projected = np.empty((len(one.projected) * wide, len(one.times)))
-        return Samples(one.times, states, np.empty_like(one.inputs), outputs, projected)
+        wide, samples = self.numbers.shape[2], self.base.out
+        states, outputs = (
+            np.empty((rows * wide, len(samples.times))) for rows in (len(samples.states), len(self.channels))
+        )
+        projected = np.empty((len(samples.projected) * wide, len(samples.times)))
+        return Samples(samples.times, states, np.empty_like(samples.inputs), outputs, projected)

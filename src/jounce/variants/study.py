@@ -221,9 +221,9 @@ def run_sweep(
         say=say,
         command=command,
     )
-    kept = read_kept(resolved(out, home=True))
+    shards = read_kept(resolved(out, home=True))
     seed = sweep.study.design.seed if sweep.study.design.count is not None else None
-    return SweepResult(str(study), str(out), str(kept.about["command"]), seed, summarise(data), data)
+    return SweepResult(str(study), str(out), str(shards.about["command"]), seed, summarise(data), data)
 
 
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:

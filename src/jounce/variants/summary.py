@@ -170,9 +170,9 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
     for metric in names:
         for number in map(str, indices["number"].to_numpy()):
             at = indices.sel(metric=metric, number=number)
-            told = {name: _measured(at, name) for name in measures if name != "explained"}
+            measured = {name: _measured(at, name) for name in measures if name != "explained"}
             ends = {name: float(at[name]) for name in ("at_low", "at_high") if name in at}
-            influences.append(Influence(metric, number, {**told, **ends}))
+            influences.append(Influence(metric, number, {**measured, **ends}))
         explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
         if explained < _LITTLE:
             findings.append(finding("variants.lines_explain_little", metric, explained, explained=explained))

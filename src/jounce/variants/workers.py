@@ -204,14 +204,14 @@ def check_cluster(client: Any) -> None:
         others = client.run(_versions)
     except ModuleNotFoundError as error:
         raise _not_there(error) from None
-    for worker, found in others.items():
+    for worker, versions in others.items():
         differs = {
-            name: f"{version} there, {own[name]} here" for name, version in found.items() if version != own[name]
+            name: f"{version} there, {own[name]} here" for name, version in versions.items() if version != own[name]
         }
         if differs:
-            told = "; ".join(f"{name} {words}" for name, words in differs.items())
+            differences = "; ".join(f"{name} {words}" for name, words in differs.items())
             hint = "Install the same on all machines."
-            raise JounceError("a worker has other versions", where=str(worker), found=told, hint=hint)
+            raise JounceError("a worker has other versions", where=str(worker), found=differences, hint=hint)
 
 
 def _versions() -> dict[str, str]:
