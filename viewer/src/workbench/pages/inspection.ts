@@ -301,7 +301,9 @@ function graded(found: Graded): HTMLElement[] {
         ]),
         ...methods.map((method) => [
           tr("grade #", method.toUpperCase()),
-          ...wheels.map((one) => (isGerman && one.german?.grade?.[method]) || one.grade[method] || "–"),
+          ...wheels.map(
+            (one) => (isGerman && one.german?.grade?.[method]) || one.grade[method] || "–",
+          ),
           "",
         ]),
       ],
