@@ -25,17 +25,14 @@ from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import recording_of
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.roads import Road, Train, Trial
-from jounce.simulation.linear_model import linearise
 from jounce.simulation.run import solved
+from jounce.simulation.running import loops_before
 from jounce.simulation.settings import RunSettings
 
 LEAD = 0.05
 """Share of the distance between two passages by which an averaged loop begins before the obstacle."""
 _LIKE = 0.5
 """Correlation with the model's response from which on a place in the record counts as a passage."""
-_SETTLED = 1e-3
-"""What may be left of the start from rest when a loop of a running belt begins, as a share."""
-_MOST_LOOPS = 12
 _APART = 0.6
 """Share of a loop that two passages are apart at least."""
 _SLIPS = 0.12
@@ -201,23 +198,6 @@ def _first(road: Road) -> float:
     while isinstance(road, Train):
         road = road.of
     return road.end() - road.start
-
-
-def loops_before(rig: Rig, period: float) -> int:
-    """Loops of a belt (each of ``period`` s) after which nothing is left of a start from rest.
-
-    By the slowest decay of the rig's oscillations at rest.
-
-    >>> import jounce as jn
-    >>> loops_before(jn.load("kart-quarter-car"), 1.0)
-    2
-    """
-    poles = np.linalg.eigvals(linearise(rig).A)
-    swinging = poles[np.abs(poles.imag) > 1e-6]
-    decay = float(np.min(-swinging.real, initial=math.inf))
-    if not 0.0 < decay < math.inf:
-        return _MOST_LOOPS if decay <= 0.0 else 1
-    return int(np.clip(math.ceil(-math.log(_SETTLED) / (decay * period)), 1, _MOST_LOOPS))
 
 
 def running_trial(rig: Rig, road: Road, speed: float) -> tuple[Trial, float]:

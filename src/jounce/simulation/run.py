@@ -21,7 +21,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import Solution, held_to_its_branch, samples_reached
-from jounce.simulation.settings import Method, RunSettings
+from jounce.simulation.settings import Method, RunSettings, Start
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -40,8 +40,9 @@ def simulate(
     detail: bool = False,
     check: bool = True,
     control: AnyControl | None = None,
+    start: Start = "rest",
 ) -> xr.Dataset:
-    """Simulate a rig over a trial, from static equilibrium.
+    """Simulate a rig over a trial, from static equilibrium or on a belt that has been running.
 
     Parameters
     ----------
@@ -62,6 +63,9 @@ def simulate(
     control : Controller, str, Path or callable, optional
         Controls all struts (see ``jounce.control``): a controller, its name (``"skyhook"``), a TOML file, or a function
         ``control(measurement, t) -> command``. Adds ``command`` and ``actuator.force`` (N) of every corner.
+    start : {"rest", "periodic"} or int
+        How the run begins where the road has a ``recurrence``, the length of a belt (m): at rest, after so many loops,
+        or after so many that nothing is left of the start from rest.
 
     Returns
     -------
@@ -84,7 +88,13 @@ def simulate(
     True
     """
     settings, rig = RunSettings(output_step, tolerance, method), as_rig(rig)
-    run = solved(rig, as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
+    more: dict[str, Any] = {"offset": offset, "detail": detail, "check": check, "control": control}
+    if start == "rest":
+        run = solved(rig, as_trial(trial), settings, **more)
+    else:
+        from jounce.simulation.running import solved_running
+
+        run = solved_running(rig, as_trial(trial), settings, start, **more)
     warnings = [item for item in rig_findings(rig) if item.severity != "note"]
     dataset = run.recording()
     return dataset.assign_attrs(finding_attributes([*warnings, *findings_of(dataset.attrs)])) if warnings else dataset

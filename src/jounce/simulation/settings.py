@@ -13,6 +13,8 @@ from jounce.core.types import Array
 from jounce.core.units import as_number
 
 Method = Literal["auto", "explicit", "implicit"]
+Start = Literal["rest", "periodic"] | int | str
+"""How a run on a belt begins: at rest, periodic, or after so many loops."""
 METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""

@@ -17,7 +17,7 @@ from jounce.roads import Trial
 from jounce.roads.options import AnyTrial
 from jounce.roads.trial import trial_findings
 from jounce.simulation.run import RunOutput, solved
-from jounce.simulation.settings import Method, RunSettings
+from jounce.simulation.settings import Method, RunSettings, Start
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -98,11 +98,20 @@ def run_trial(
     ] = 1e-3,
     tolerance: Annotated[float, Number("Relative error of displacements.", "TOLERANCE", "1", is_positive=True)] = 1e-5,
     method: Annotated[Method, Mark("Integration method: auto, explicit, or implicit (stiff rigs).", "METHOD")] = "auto",
+    start: Annotated[
+        Start, Mark("Start on a belt (a road with recurrence): rest, periodic, or a number of loops before.", "START")
+    ] = "rest",
 ) -> TrialRun:
     """Simulate a rig or vehicle on a road or a shaker, starting from static equilibrium.
 
     It is what :func:`jounce.simulate` runs, with the trial and what is to be known of it.
     """
     rig = as_rig(rig)
-    run = solved(rig, trial, RunSettings(output_step, tolerance, method))
+    settings = RunSettings(output_step, tolerance, method)
+    if start == "rest":
+        run = solved(rig, trial, settings)
+    else:
+        from jounce.simulation.running import solved_running
+
+        run = solved_running(rig, trial, settings, start)
     return TrialRun(rig, trial, run, tuple(trial_findings(trial, rig, output_step=output_step)))

@@ -9,8 +9,9 @@ import xarray as xr
 import jounce as jn
 from jounce.core.errors import FitError
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import averaged_trial, find_passages, loops_before, running_trial
+from jounce.identify.passages import averaged_trial, find_passages, running_trial
 from jounce.recordings import Sensor
+from jounce.simulation.running import loops_before
 
 ONE = jn.HalfSine(height="10 mm", length="60 mm")
 BELT = 1.97

@@ -1,0 +1,121 @@
+"""Runs that do not start at rest: on a belt that has been running, whose obstacle has passed before."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import SimulationError
+from jounce.parts import Rig
+from jounce.roads import Road, Trial
+from jounce.simulation.linear_model import linearise
+from jounce.simulation.run import RunOutput, solved
+from jounce.simulation.settings import RunSettings, Start
+
+LEFT_OVER = 1e-3
+"""Share of a start from rest that may be left when a run on a belt begins: the energy of a residual of 1e-6."""
+MOST_LOOPS = 200
+"""Loops of a belt that are run before at most: a rig that still remembers its start then is hardly damped at all."""
+
+
+def loops_before(rig: Rig, period: float) -> int:
+    """Return the loops of a belt, each of ``period`` (s), after which nothing is left of a start from rest.
+
+    By the slowest decay of the rig's oscillations at rest.
+
+    Raises
+    ------
+    SimulationError
+        For a rig without damping, which never forgets.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> loops_before(jn.load("kart-quarter-car"), 1.0)
+    2
+    """
+    poles = np.linalg.eigvals(linearise(rig).A)
+    swinging = poles[np.abs(poles.imag) > _SWINGING * np.abs(poles)]
+    decay = float(np.min(-swinging.real, initial=math.inf))
+    loops = math.ceil(-math.log(LEFT_OVER) / (decay * period)) if decay > 0.0 else MOST_LOOPS + 1
+    if loops > MOST_LOOPS:
+        raise SimulationError(
+            "the rig does not settle into a periodic motion",
+            where="start",
+            found=f"an oscillation that decays with {max(decay, 0.0):.3g} 1/s, loops of {period:.3g} s",
+            allowed=f"at most {MOST_LOOPS} loops",
+            hint="Give it a damper, or start at rest.",
+        )
+    return max(loops, 1)
+
+
+_SWINGING = 1e-6  # imaginary part over size of a pole, above which it is no rounding of a real one
+
+
+def period_of(trial: Trial) -> float:
+    """Return the time (s) after which the obstacle of a belt comes again.
+
+    Raises
+    ------
+    SimulationError
+        Where the road has no recurrence.
+    """
+    road, speed = trial.road, trial.speed
+    if road is None or speed is None or road.recurrence is None:
+        raise SimulationError(
+            "only a belt can have been running: the road does not come again",
+            where="start",
+            allowed="rest, or a road with recurrence (the length of the belt)",
+        )
+    return road.recurrence / speed
+
+
+def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any) -> RunOutput:
+    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.run.solved`.
+
+    The run is begun from rest so many loops earlier and its time counts from where the trial begins.
+    """
+    if start == "rest":
+        return solved(rig, trial, settings, **more)
+    period = period_of(trial)
+    loops = loops_before(rig, period) if start == "periodic" else _count(start)
+    if any(trial.load(name).jumps.size for name in trial.loads):
+        raise SimulationError(
+            "a load sets in during the run", where="start", allowed="rest", hint="Leave out the load."
+        )
+    step = settings.output_step
+    before = math.ceil(loops * period / step - 1e-9)  # a whole number of samples
+    longer = _begun_earlier(trial, before * step, loops)
+    run = solved(rig, longer, settings, **more)
+    times = settings.times(trial.duration)
+    channels = {name: (values[before:], unit, words) for name, (values, unit, words) in run.channels.items()}
+    attributes = {**run.attributes, "start": f"{start if start == 'periodic' else ''} after {loops} loops".strip()}
+    return replace(run, time=times[: len(run.time) - before], channels=channels, attributes=attributes)
+
+
+def _count(start: Start) -> int:
+    try:
+        loops = int(start)
+    except ValueError:
+        loops = -1
+    if not 0 <= loops <= MOST_LOOPS:
+        allowed = f"rest, periodic, or 0 to {MOST_LOOPS} loops"
+        raise SimulationError("not a start", where="start", found=start, allowed=allowed)
+    return loops
+
+
+def _begun_earlier(trial: Trial, earlier: float, loops: int) -> Trial:
+    """The trial begun ``earlier`` (s), its obstacles where they are when the loops are over."""
+    assert trial.speed is not None
+    given = {name: getattr(trial, name) for name in trial.model_fields_set}
+    given["duration"] = trial.duration + earlier
+    for name in ("road", "right"):
+        road: Road | None = getattr(trial, name)
+        if road is not None and road.recurrence is not None:
+            moved = road.start + trial.speed * earlier - loops * road.recurrence
+            fields = {key: getattr(road, key) for key in road.model_fields_set}
+            given[name] = type(road).model_validate({**fields, "start": max(moved, 0.0)})
+    return Trial.model_validate(given)
