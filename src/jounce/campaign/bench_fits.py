@@ -13,6 +13,7 @@ from jounce.core.files import matching_files
 from jounce.core.findings import Finding
 from jounce.core.operation import Count, File, MadeBy, Mark, Number, Switch, Texts, operation
 from jounce.core.serialise import Plain, to_plain
+from jounce.core.shown import Shown
 from jounce.core.typed import positive_quantity, quantity
 from jounce.core.types import Array
 from jounce.identify.damper import DamperCurve, DamperResult, damper_curve, fit_damper
@@ -385,7 +386,7 @@ def _motion_in(data: xr.Dataset, channel: str, file: str) -> tuple[Array, Motion
 
 
 @dataclass(frozen=True)
-class BenchFiles:
+class BenchFiles(Shown):
     """Trials of a test machine as they were read: files, trials, and what reading found."""
 
     files: Sequence[Path]

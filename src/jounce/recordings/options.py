@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from jounce.core.files import matching_files
 from jounce.core.operation import Columns, File, MadeBy, Mark, Number, Texts
+from jounce.core.shown import Shown
 from jounce.recordings.files import read_recording
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ def recording_in_python(record: str, **options: Any) -> str:
 
 
 @dataclass(frozen=True)
-class RecordFile:
+class RecordFile(Shown):
     """A recording with the file that it is from.
 
     Parameters
