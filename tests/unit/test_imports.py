@@ -70,7 +70,7 @@ def test_a_warm_command_loads_no_heavy_package(loaded, words):
 
 
 def test_a_run_loads_neither_symbols_nor_controllers(loaded):
-    found = loaded("simulate", "kart-quarter-car", *DRIVEN)
+    found = loaded("simulate", "kart-quarter-car", *DRIVEN, "--json")
     assert not found & set(HEAVY)
     for package in ("control", "models", "plots", "report", "identify", "campaign", "design", "ride"):
         assert not {name for name in found if name.startswith(f"jounce.{package}.")}, package
