@@ -5,6 +5,7 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
+import jounce as jn
 from jounce.identify.damper import damper_curve, fit_damper
 from jounce.identify.damper_laws import damper_law
 from jounce.identify.damper_record import read_motion
@@ -150,3 +151,30 @@ def test_more_voltage_means_more_hysteretic_force():
 def test_energy_per_cycle_is_kept_by_the_law(record):
     result = fit_damper(*load(record), law="bouc-wen")
     assert result.fitted_energy_per_cycle == pytest.approx(result.energy_per_cycle, rel=2e-3)
+
+
+@pytest.mark.no_source
+def test_velocity_over_displacement_shows_the_half_sample_that_it_is_late():
+    displacement, velocity, force, time = load("shaking_table_0v")
+    signals = {"strut.deflection": (displacement, "m", ""), "strut.velocity": (velocity, "m/s", "")}
+    run = jn.recording(time, {**signals, "strut.force": (force, "N", "")})
+    found = jn.estimate_transfer(run, "strut.velocity", "strut.deflection", segment="7.5 s", band=(0.5, 1.2))
+    at = int(np.argmin(abs(found.frequency - DRIVE)))
+    assert found.coherence[at] > 0.999
+    assert found.gain[at] == pytest.approx(2.0 * np.pi * DRIVE, rel=0.01)
+    assert np.degrees(found.phase[at]) == pytest.approx(90.0 - 360.0 * DRIVE * 0.005, abs=0.5)
+
+
+@pytest.mark.no_source
+def test_friction_makes_odd_multiples_of_the_drive_in_the_force():
+    displacement, _, force, time = load("shaking_table_0v")
+    run = jn.recording(time, {"strut.deflection": (displacement, "m", ""), "strut.force": (force, "N", "")})
+    found = jn.estimate_spectra(run, "strut.force", band=(0.3, 10.0))
+    multiples = np.array([peak.frequency for peak in found.channels[0].peaks]) / DRIVE
+    assert multiples[0] == pytest.approx(1.0, abs=0.03)
+    assert len(multiples) >= 4
+    assert np.round(multiples) % 2 == pytest.approx(1.0)
+
+
+DRIVE = 0.84
+"""Frequency of the drive in the record, Hz; SOURCE.md tells it."""

@@ -113,7 +113,7 @@ class Integration(Plain):
         The record that was integrated.
     """
 
-    record: Annotated[str, Shows("record")]
+    record: str
     motion: Annotated[Motion, Shows("motion")]
     time: Array
     valid: Annotated[tuple[float, float], Shows("valid", "s")]

@@ -121,7 +121,7 @@ class FittedModes(Plain):
         What was not found, and what the estimate takes for granted.
     """
 
-    record: Annotated[str, Shows("record")]
+    record: str
     kind: Annotated[Kind, Shows("fitted to")]
     outputs: Annotated[tuple[str, ...], Shows("outputs")]
     given: Annotated[str, Shows("input")]

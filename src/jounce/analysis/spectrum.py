@@ -120,7 +120,7 @@ class RecordSpectra(Plain):
         What was left out, and what weakens the spectra.
     """
 
-    record: Annotated[str, Shows("record")]
+    record: str
     begin: Annotated[float, Shows("from", "s")]
     end: Annotated[float, Shows("to", "s")]
     sample_rate: Annotated[float, Shows("sample rate", "Hz")]
@@ -306,14 +306,21 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
     least = float(np.log(f_distribution.isf(_CHANCE / len(spectrum.density) ** 2, freedom, freedom)))
     floor = float(spectrum.density.max()) * 1e-30
     density = np.maximum(spectrum.density, floor)
-    density[:2], density[-1] = density[2], density[-2]  # the mean was taken off; the last line has half the freedom
+    density[:2], density[-1] = (
+        density[2:9].min(),
+        density[-2],
+    )  # the mean was taken off; the last line has half the freedom
     where, facts = find_peaks(np.log(density), prominence=least, distance=3)
     found = [
         _peak(spectrum, density, int(at), float(np.exp(rise)))
         for at, rise in zip(where, facts["prominences"], strict=True)
         if band[0] <= spectrum.frequency[at] <= band[1]
     ]
-    strongest = sorted(found, key=lambda peak: -peak.rms)[:_MOST_PEAKS]
+    apart: list[SpectralPeak] = []
+    for peak in sorted(found, key=lambda peak: -peak.ratio):  # the wider of two peaks holds the smaller one beside it
+        if all(abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart):
+            apart.append(peak)
+    strongest = sorted(apart, key=lambda peak: -peak.rms)[:_MOST_PEAKS]
     return tuple(sorted(strongest, key=lambda peak: peak.frequency))
 
 
@@ -321,13 +328,16 @@ def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> Spectral
     """Centre and level of a peak: where the density, smoothed over five lines, is above half of the highest."""
     smooth = np.convolve(density[max(at - _REACH, 0) : at + _REACH + 1], np.full(5, 0.2), "same")
     inner = min(at, _REACH)
-    low = np.flatnonzero(smooth < 0.5 * smooth[inner])
-    first = max(int(low[low < inner].max(initial=-1)) + 1, 0)
-    last = min(int(low[low > inner].min(initial=len(smooth))), len(smooth))
+    outside = np.flatnonzero((smooth < 0.5 * smooth[inner]) | (smooth > 1.5 * smooth[inner]))  # or a higher peak
+    first = max(int(outside[outside < inner].max(initial=-1)) + 1, 0)
+    last = min(int(outside[outside > inner].min(initial=len(smooth))), len(smooth))
     lines = slice(max(at - inner + first, 0), at - inner + last)
+    if last - first <= _NARROW:  # a sine: the main lobe of the window
+        lines = slice(max(at - 2, 0), at + 3)
     f, step = spectrum.frequency[lines], spectrum.step
-    centre = float(f @ density[lines] / density[lines].sum())
+    centre = float(f @ spectrum.density[lines] / spectrum.density[lines].sum())
     return SpectralPeak(centre, spectrum.mean_square(float(f[0]) - step, float(f[-1]) + step) ** 0.5, ratio)
 
 
+_NARROW = 7  # lines that a sine covers, smoothed
 _REACH = 400  # lines on each side of a peak, 50 Hz in segments of 8 s

@@ -95,7 +95,7 @@ class RecordStatistics(Plain):
     """
 
     left_out = ("source",)
-    record: Annotated[str, Shows("record")]
+    record: str
     begin: Annotated[float, Shows("from", "s")]
     end: Annotated[float, Shows("to", "s")]
     sample_rate: Annotated[float, Shows("sample rate", "Hz")]

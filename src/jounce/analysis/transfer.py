@@ -92,7 +92,7 @@ class TransferEstimate(Plain):
         Frequencies without coherence or excitation, and what the estimate takes for granted.
     """
 
-    record: Annotated[str, Shows("record")]
+    record: str
     output: Annotated[str, Shows("output")]
     given: Annotated[str, Shows("input")]
     output_unit: str
