@@ -13,7 +13,7 @@ from pydantic import Field
 from jounce.bench.estimated import estimated, estimates_used
 from jounce.core.description import Description, Whole
 from jounce.core.errors import DescriptionError, FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, MadeBy, Number, operation
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.typed import LONGEST
@@ -185,11 +185,7 @@ def inverter_frequency_for(drive: BenchDrive, speed: float) -> float:
 
 
 def _unseen_slip(drive: BenchDrive) -> Finding:
-    text = (
-        "a photo-sensor on the cylinder sees the losses between motor and cylinder, but not the slip between flat belt "
-        f"and cylinder (here taken as {100.0 * drive.flat_belt_slip:.3g} %); check it once with a mark on the belt."
-    )
-    return Finding("bench drive", "note", text, drive.flat_belt_slip)
+    return finding("bench.unseen_slip", "bench drive", drive.flat_belt_slip, slip=drive.flat_belt_slip)
 
 
 def _check_positive(value: float, what: str, unit: str) -> None:
@@ -248,8 +244,7 @@ def photo_sensor_speed(
     error = math.hypot(one / math.sqrt(6.0) * drive.radius, angular.value * radius_error)
     findings = [*estimates_used(drive, "photo-sensor", _SPEED_FIELDS[:2]), _unseen_slip(drive)]
     if pulses < 40:
-        text = f"one pulse is {100.0 / pulses:.2g} % of the speed: count longer, or put more marks on the cylinder."
-        findings.append(Finding("photo-sensor", "warning", text, 1.0 / pulses))
+        findings.append(finding("bench.pulse_coarse", "photo-sensor", 1.0 / pulses, share=100.0 / pulses))
     return SensorSpeed(estimate(speed, error), angular, one * drive.radius, drive.belt_length / speed, tuple(findings))
 
 
@@ -383,17 +378,20 @@ def _cooling(drive: BenchDrive, frequency: float) -> float:
 def _overload(margin: float, lasting: float, speed: float, frequency: float, drive: BenchDrive) -> list[Finding]:
     findings = []
     if frequency > drive.supply_frequency:
-        text = (
-            f"{speed:.3g} m/s needs {frequency:.3g} Hz, above the supply frequency of {drive.supply_frequency:g} Hz: "
-            "the torque falls there and the bench may not be made for it."
+        findings.append(
+            finding(
+                "bench.above_supply",
+                "bench drive",
+                frequency,
+                speed=speed,
+                frequency=frequency,
+                supply=drive.supply_frequency,
+            )
         )
-        findings.append(Finding("bench drive", "warning", text, frequency))
     if margin < 0.0:
-        text = f"the belt needs more than the rated torque at {speed:.3g} m/s: the motor will not hold the speed."
-        findings.append(Finding("bench drive", "problem", text, margin))
+        findings.append(finding("bench.torque_short", "bench drive", margin, speed=speed))
     elif lasting < 0.0:
-        text = f"at {speed:.3g} m/s the torque suffices but not the cooling: the motor will overheat after a while."
-        findings.append(Finding("bench drive", "warning", text, lasting))
+        findings.append(finding("bench.cooling_short", "bench drive", lasting, speed=speed))
     return findings
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from pydantic import Field
 
 from jounce.core.description import Description
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 
 
 def estimated(default: Any, why: str) -> Any:
@@ -29,5 +29,4 @@ def estimates_used(description: Description, place: str, names: tuple[str, ...] 
     ]
     if not left:
         return []
-    text = f"estimated, as no source states it: {', '.join(left)} (SI); give your own values."
-    return [Finding(place, "warning", text)]
+    return [finding("bench.estimates_used", place, names=", ".join(left))]

@@ -11,7 +11,7 @@ from jounce.bench.estimated import estimated, estimates_used
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Pairs, operation
 from jounce.core.serialise import Plain
 from jounce.core.typed import positive_quantity
@@ -232,16 +232,21 @@ def _reason(row: SpringRow, chosen: SpringRow, choice: SpringChoice) -> str:
 def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
     findings = []
     if row.natural_frequency > 1.5 * choice.target_frequency:
-        text = (
-            f"{row.name} is the best of these, but its {row.natural_frequency:.3g} Hz are still "
-            f"{row.natural_frequency / choice.target_frequency:.2g} times the target of "
-            f"{choice.target_frequency:.3g} Hz."
+        findings.append(
+            finding(
+                "bench.best_spring_stiff",
+                "springs",
+                row.natural_frequency,
+                name=row.name,
+                frequency=row.natural_frequency,
+                times=row.natural_frequency / choice.target_frequency,
+                target=choice.target_frequency,
+            )
         )
-        findings.append(Finding("springs", "warning", text, row.natural_frequency))
     if row.travel_share > 0.5:
-        text = f"{row.name} uses {100 * row.travel_share:.0f} % of the available travel standing still."
-        findings.append(Finding("springs", "warning", text, row.travel_share))
+        findings.append(
+            finding("bench.travel_used_at_rest", "springs", row.travel_share, name=row.name, share=row.travel_share)
+        )
     if choice.strut_angle > math.radians(30.0):
-        text = "struts inclined by more than 30 degrees work poorly (Adams 1993)."
-        findings.append(Finding("springs", "warning", text, choice.strut_angle))
+        findings.append(finding("bench.struts_inclined", "springs", choice.strut_angle))
     return findings

@@ -117,7 +117,7 @@ def _is_file(name: str) -> bool:
 
 def _recordings(files: list[Path], options: dict[str, Any]) -> tuple[dict[str, xr.Dataset], list[Finding]]:
     """Read recordings; give them by the shortest names that differ, and what is to be known of them."""
-    from jounce.core.findings import Finding
+    from jounce.core.findings import at_place
     from jounce.recordings import read_recording
 
     stems = [file.stem for file in files]
@@ -127,7 +127,7 @@ def _recordings(files: list[Path], options: dict[str, Any]) -> tuple[dict[str, x
     for name, file in zip(names, files, strict=True):
         runs[name], found = read_recording(file, **options)
         place = f"{name}: " if len(files) > 1 else ""
-        findings += [Finding(f"{place}{one.place}", one.severity, one.message, one.value) for one in found]
+        findings += [at_place(f"{place}{one.place}", one) for one in found]
     return runs, findings
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, OutputError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -386,7 +386,7 @@ class _ChronoWriter:
             f"bushings.{name}" for name in type(rig.bushings).model_fields if getattr(rig.bushings, name) is not None
         ]
         if left:
-            self.findings.append(Finding("rig", "warning", f"not in the file: {', '.join(left)}."))
+            self.findings.append(finding("exchange.not_in_file", "rig", names=", ".join(left)))
         self._say("rig", "tyre and sprung mass are in other files of Chrono.")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.writing import Formats
@@ -103,8 +103,7 @@ def write_road(
     lost = float(np.abs(road.height_at(np.minimum(fine, known)) - np.interp(fine, x, height)).max())
     findings: tuple[Finding, ...] = ()
     if lost > 1e-6:
-        text = f"up to {1e3 * lost:.3g} mm of height are lost between points {1e3 * step:g} mm apart"
-        findings = (Finding(str(path), "note", f"{text}; a smaller step keeps more.", lost),)
+        findings = (finding("exchange.height_lost", str(path), lost, lost=lost, step=step),)
     file = ROAD_FORMATS.write((x, height), path, force=force)
     return RoadExport(file, count, float(x[-1]), step, findings)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.mechanics.assembly import Evaluator, close_loops, motions_left
@@ -91,15 +91,14 @@ class Mobility:
     def findings(self, *, is_driven: bool) -> Iterator[Finding]:
         """Report motions with loops, motions without force, redundant equations, and a rigid mechanism."""
         if self.motions:
-            yield Finding("degrees of freedom", "note", f"the joints leave {_listed(self.motions)}")
+            yield finding("mechanics.freedoms_left", "degrees of freedom", motions=_listed(self.motions))
         elif not is_driven:
-            text = "the joints leave none, and no motion is prescribed: nothing can move"
-            yield Finding("degrees of freedom", "warning", text)
+            yield finding("mechanics.nothing_moves", "degrees of freedom")
         if self.redundant:
             names = ", ".join(name for group in self.redundant for name in group)
-            yield Finding("degrees of freedom", "note", f"redundant equations, left out: {names}")
+            yield finding("mechanics.redundant_equations", "degrees of freedom", names=names)
         if idle := [motion for motion in self.motions if not motion.is_loaded]:
-            yield Finding("degrees of freedom", "note", f"no force acts along {_listed(idle, len(self.motions))}")
+            yield finding("mechanics.no_force_along", "degrees of freedom", motions=_listed(idle, len(self.motions)))
 
 
 def _listed(motions: Sequence[FreeMotion], of: int = 0) -> str:

@@ -45,7 +45,7 @@ def test_a_header_with_units_below_a_title_and_beside_a_margin(tmp_path: Path) -
     found, findings = jn.read_recording(book(tmp_path / "a.xlsx", Messung=rows))
     np.testing.assert_allclose(found["tyre.force"], [f for _, f in SAMPLES], rtol=1e-15)
     np.testing.assert_allclose(found["time"], [t for t, _ in SAMPLES], atol=1e-18)
-    assert any("the header is row 3" in one.message for one in findings)
+    assert any("row 3 was taken as the header" in one.message for one in findings)
 
 
 def test_units_in_a_row_of_their_own_and_a_column_of_text(tmp_path: Path) -> None:

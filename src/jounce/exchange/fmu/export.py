@@ -13,7 +13,7 @@ from typing import Literal
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.optional import how_to_install
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, working_folder, write_atomically
@@ -149,8 +149,7 @@ def export_fmu(
                 allowed=this_platform(),
                 hint=f"Install the extra fmu ({how_to_install('fmu')}) to compile for every platform.",
             )
-        text = "no compiler was found: the FMU holds sources only; compile on the target or install the extra fmu"
-        findings.append(Finding(str(file), "warning", text))
+        findings.append(finding("exchange.no_compiler", str(file)))
         wanted = ()
     model = subject_of(
         rig,
@@ -198,8 +197,7 @@ def export_fmu(
             files["extra/jounce/reference.csv"], note = reference(model.reference)
             notes += note
     except SimulationError as error:  # it has an equilibrium, and other programs may run it
-        text = f"no reference run is in the FMU: {error}"
-        findings.append(Finding(str(file), "warning", text))
+        findings.append(finding("exchange.no_reference_run", str(file), error=error))
     files["documentation/index.html"] = page(variables, head, notes)
     write_atomically(file, _zipped(files), force=force)
     return FmuExport(

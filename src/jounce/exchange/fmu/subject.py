@@ -13,7 +13,7 @@ import numpy as np
 from jounce.control.controller import CallbackController
 from jounce.control.program import Program, program, values
 from jounce.core.errors import DescriptionError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import Unit
 from jounce.exchange.fmu.reference import Given, of_mechanism, of_rig, of_tester
@@ -191,8 +191,7 @@ def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
         "band": np.zeros(0), "g0": gains, "memory0": memory, "rest0": np.zeros(len(law.channels)),
     }  # fmt: skip
     units = {**{channel: known[channel] for channel in law.channels}, **dict.fromkeys(names, loop.actuator.unit)}
-    text = "the FMU's inputs are changes from static equilibrium, as its law was made for."
-    findings.append(Finding("inputs", "note", text))
+    findings.append(finding("exchange.changes_from_rest", "inputs"))
     return Subject(
         f"{loop.first.name} for {_name(rig)}", compiled, numbers, {}, {}, None, at_rest=False, law=law,
         period=1.0 / loop.first.rate, measured=list(range(len(law.channels))), commands=names, track_units=units,
@@ -266,8 +265,7 @@ def _law(loop: ControlLoop | None, findings: list[Finding]) -> tuple[Program | N
             allowed="a law of jounce, such as skyhook or lqr; or export the rig alone and connect the law outside",
         )
     if loop.first.noise:
-        text = "the FMU's controller measures without the noise of its sensors"
-        findings.append(Finding("control: noise", "note", text))
+        findings.append(finding("exchange.without_noise", "control: noise"))
     made = program(loop.first, loop.corners)
     return made, values(loop.controllers, loop.models, made.numbers)
 
