@@ -62,12 +62,12 @@ class Reader:
     name : str
         Short name.
     label : str
-        What it is, for lists.
-    Description, for lists.
+        Description, for lists.
+    suffixes : tuple of str
         File suffixes in lower case, with the dot.
     read : callable
         Returns the file's columns.
-    Returns the file's columns.
+    source : str
         Definition of the format.
     example : str
         A file of this format, or how one is written.

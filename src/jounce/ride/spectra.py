@@ -40,8 +40,8 @@ class Spectrum(Shown):
         Hz, from 0 in constant steps.
     density : ndarray, shape (n,)
         Unit of the signal squared per Hz; its integral over the frequency is the mean square.
-    Noise bandwidth of the window, Hz; narrower peaks are not resolved.
-        Noise bandwidth of the window, Hz: nothing narrower can be seen.
+    resolution : float
+        Noise bandwidth of the window, Hz; narrower peaks are not resolved.
     averages : float
         Number of independent spectra (1) in the mean; the relative standard error is one over its root.
     """

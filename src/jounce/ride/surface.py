@@ -35,14 +35,14 @@ class Surface(Plain):
         m/s.
     waviness : float
         Exponent w (1).
-    Spatial frequencies of the road, 1/m; None for all of them (white noise).
-        Spatial frequencies that are there, 1/m; None for all of them (white noise).
+    band : tuple of float or None
+        Spatial frequencies of the road, 1/m; None for all of them (white noise).
     cut_off : float or None
         Spatial frequency n00 (1/m) below which the road is flat: ``dz/dt = -2 pi n00 v z + w``.
-    Relation of left and right wheels.
-        What left and right wheels share.
-    Contact length of the tyre, m: shorter waves are averaged out.
-        Of the tyre, m: shorter waves are averaged out.
+    sides : str
+        Relation of left and right wheels.
+    contact_length : float
+        Contact length of the tyre, m: shorter waves are averaged out.
     """
 
     left_out = ("density",)

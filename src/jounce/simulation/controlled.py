@@ -347,8 +347,8 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     ----------
     rig : Rig
         Rig or vehicle.
-    A linear law with an active actuator.
-        A law with an active actuator that is a formula.
+    control : Controller, str or Path
+        A linear law with an active actuator.
 
     Returns
     -------
