@@ -66,6 +66,8 @@ def read_recording(
         file, the signals are band-limited first, without phase, at 0.4 of the new rate.
     database : Path or str, optional
         Database of bus messages (``.dbc``) used to decode the bus frames of an MDF file.
+    sensors : mapping of str to Sensor, optional
+        Sensors by channel: columns in volts or counts are converted to the quantities of their channels.
 
     Returns
     -------
