@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from jounce.campaign.belt import Belt, Passage
+from jounce.campaign.reference import Reference
 from jounce.core.description import Description, Whole, read_description
 from jounce.core.units import NonNegativeLength, NonNegativeMass, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
@@ -149,16 +150,17 @@ class Campaign(Description):
     roads: dict[str, Any] = {}
     trial: tuple[TrialEntry, ...] = Field(min_length=1)
     update: tuple[UpdateEntry, ...] = ()
+    reference: Reference | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Campaign:
         has_pulses = self.belt is not None and self.belt.has_pulses
-        for entry in self.trial:
-            if entry.road is not None and entry.speed is None and not has_pulses:
-                raise ValueError(
-                    f"the speed of trial {entry.number} is missing; a road is driven over at a speed, or [belt] has "
-                    "radius, pulses and column"
-                )
+        slow = [trial.number for trial in self.trial if trial.road is not None and trial.speed is None]
+        if slow and not has_pulses:
+            raise ValueError(
+                f"the speed of trial {slow[0]} is missing; a road is driven over at a speed, or [belt] has radius, "
+                "pulses and column"
+            )
         numbers = [entry.number for entry in self.trial]
         twice = {number for number in numbers if numbers.count(number) > 1}
         if twice:
@@ -174,6 +176,9 @@ class Campaign(Description):
                 missing = min(set(entry.trials) - set(numbers))
                 raise ValueError(f"update {entry.name!r} uses trial {missing}, which does not exist")
             names.append(entry.name)
+        for told in self.reference.update if self.reference is not None else ():
+            if told.update not in names:
+                raise ValueError(f"reference names update {told.update!r}; updates: {', '.join(names) or 'none'}")
         return self
 
 

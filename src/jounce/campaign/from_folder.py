@@ -29,6 +29,7 @@ _FITTED = 3
 """Trials that are fitted by default: from three on an update has an interval that counts model error."""
 _START_DAMPING = "150 N*s/m"
 """Where the search for the damper begins: its bounds reach from 0.2 to 3 times this."""
+_DAMPING_BOUNDS = ["30 N*s/m", "450 N*s/m"]
 _AGREES = 0.03
 """Share by which a calibration may differ from the sensitivity on a sensor's label without being asked about."""
 
@@ -241,11 +242,16 @@ class _Maker:
             return {}
         unit = channel_unit(channel.measures)
         if found.quantity_unit != unit:
-            numbers = {"unit": found.quantity_unit, "column": column, "channel": channel.measures}
-            self._note("campaign.calibrates_another_quantity", item.file.name, **numbers)
+            self._note(
+                "campaign.calibrates_another_quantity",
+                item.file.name,
+                unit=found.quantity_unit,
+                column=column,
+                channel=channel.measures,
+            )
             return {}
         self.findings += found.findings
-        size, error = abs(found.sensitivity.value), found.gain_doubt
+        size, doubt = abs(found.sensitivity.value), found.gain_doubt
         if channel.sensitivity:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
@@ -256,8 +262,8 @@ class _Maker:
         table: dict[str, Any] = {"sensitivity": f"{size:.6g} {found.recorded_unit.replace('1', 'counts')}/({unit})"}
         if found.sensitivity.value < 0.0:
             table["orientation"] = -1
-        if error is not None:
-            table["gain_doubt"] = float(f"{error:.3g}")
+        if doubt is not None:
+            table["gain_doubt"] = float(f"{doubt:.3g}")
         if channel.high_pass is None:  # behind AC coupling a calibration's zero is none of the record
             table["zero"] = f"{found.zero.value:.6g} {found.recorded_unit.replace('1', 'counts')}"
         return table
@@ -364,8 +370,8 @@ class _Maker:
         return {rows[round(k * (len(rows) - 1) / max(count - 1, 1))].number for k in range(count)}
 
     def _updates(self) -> Iterator[dict[str, Any]]:
-        damper = {f"strut.damper.{side}_coefficient": [0.2, 3.0] for side in ("bump", "rebound")}
-        bounds = {path: [f"{low * 150.0:g} N*s/m", f"{high * 150.0:g} N*s/m"] for path, (low, high) in damper.items()}
+        sides = ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient")
+        bounds: dict[str, Any] = {path: _DAMPING_BOUNDS for path in sides}
         if self.laboratory.rig:
             bounds = {"strut.damper.coefficient": "50 %"}
         usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}

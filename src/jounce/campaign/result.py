@@ -12,6 +12,7 @@ import numpy as np
 from jounce.campaign.belt import TrialOnBelt
 from jounce.campaign.characterise import Characterisation, Knowledge
 from jounce.campaign.description import Campaign, TrialEntry
+from jounce.campaign.reference import beside_reference
 from jounce.core.findings import Finding
 from jounce.core.results import Shows, group_table
 from jounce.core.serialise import to_plain
@@ -277,6 +278,7 @@ class CampaignResult(Shown):
             "updates": [_update(strategy) for strategy in self.strategies],
             "trials": [_trial(trial) for trial in self.trials],
             "lumped": None if self.lumped is None else self.lumped.to_dict(),
+            **({"reference": to_plain(beside_reference(self))} if self.campaign.reference else {}),
             "findings": to_plain(list(self.findings)),
         }
 

@@ -41,6 +41,8 @@ _AFTER = 0.15
 """Seconds behind a single obstacle that are looked for, too: the wheel hops, the body begins to swing."""
 _ONSET, _NEAR = 0.02, 0.02
 """Seconds behind the first obstacle that tell its onset, and to either side in which each passage is timed."""
+_ALIKE = 0.1
+"""Scatter of the differences to the average that loops have at least, as a share of their usual one."""
 _ODD = 4.0
 """Robust standard deviations of the difference to the average, beyond which a loop counts as odd."""
 
@@ -190,7 +192,7 @@ class _Expected:
 
 
 def _of(road: Road) -> str:
-    return f"{road.kind} of {road.end() - road.start:.3g} m"
+    return f"{getattr(road, 'kind', 'road')} of {road.end() - road.start:.3g} m"
 
 
 def _first(road: Road) -> float:
@@ -436,7 +438,7 @@ def _alike(loops: Array) -> np.ndarray:
     away = np.sqrt(np.mean(((loops - middle) / np.where(size > 0.0, size, 1.0)) ** 2, axis=(1, 2)))
     usual = float(np.median(away))
     spread = 1.4826 * float(np.median(np.abs(away - usual)))
-    return away <= usual + _ODD * max(spread, 0.1 * usual)
+    return np.asarray(away <= usual + _ODD * max(spread, _ALIKE * usual))
 
 
 def averaged_trial(trial: FitTrial, found: Passages) -> FitTrial:

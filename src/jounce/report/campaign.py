@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from jounce.campaign.reference import beside_reference
 from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
@@ -123,9 +124,10 @@ def campaign_files(result: CampaignResult) -> dict[str, str]:
 
 def campaign_page(result: CampaignResult) -> Page:
     """Give the report of a campaign as a page, figures drawn; a section that cannot be drawn says so."""
-    synthetic, compared = result.campaign.synthetic, result.lumped
+    synthetic, compared, reference = result.campaign.synthetic, result.lumped, result.campaign.reference
     parts = {
         "Answer": lambda: answer(result),
+        **({} if reference is None else {"Published result": lambda: published(result)}),
         "Curves": lambda: curves(result),
         "Validation": lambda: validation(result),
         "Characterisation": lambda: characterisation(result),
@@ -159,6 +161,7 @@ def campaign_summary(result: CampaignResult) -> Page:
         "Characterisation": replaced,
         "Updates": [*updated, *([Paragraph(_NOISE_ONLY, "muted")] if updated else [])],
         "Trials": (_validation_table(result),),
+        "Published result": (_reference_table(result),) if result.campaign.reference else (),
         "Findings": (Findings(result.findings),),
     }
     return Page(result.campaign.title, tuple(Section(title, tuple(blocks)) for title, blocks in sections.items()))
@@ -301,6 +304,25 @@ def _listed(items: list[str]) -> str:
 _OPEN = 3
 _USES = {"fit": "fitted", "hold-out": "held out"}
 _GRADE_TONES = {"excellent": "good", "good": "good", "fair": "fair", "poor": "bad"}
+
+
+_REPRODUCED: dict[str, Tone] = {"reproduced": "good", "not reproduced": "bad", "not comparable": "muted"}
+
+
+def published(result: CampaignResult) -> Section:
+    """Ours beside the published result that the campaign states."""
+    return Section("Published result", (_reference_table(result),))
+
+
+def _reference_table(result: CampaignResult) -> Table:
+    rows = [
+        (row.what, row.published, row.ours, Cell(row.verdict, _REPRODUCED[row.verdict]), row.follows)
+        for row in beside_reference(result)
+    ]
+    source = result.campaign.reference.source if result.campaign.reference else ""
+    header = ("statement", "published", "here", "verdict", "what follows")
+    note = "A published reduction counts as reproduced within 10 percentage points, a parameter within our interval."
+    return Table(f"Beside the published result: {source}", header, tuple(rows), "lrrll", note)
 
 
 def trials(result: CampaignResult) -> Section:
