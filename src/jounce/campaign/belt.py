@@ -104,6 +104,8 @@ class TrialOnBelt(Shown):
         Share (1) by which the belt is slower than its cylinder.
     passages : Passages
         Where the obstacle was met.
+    findings : tuple of Finding
+        What is doubtful of speed and passages.
     """
 
     noted: float | None

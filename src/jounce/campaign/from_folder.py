@@ -105,6 +105,13 @@ def campaign_from_folder(
         For settings that cannot be understood, or none.
     OutputError
         When a file exists, without ``force``.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> campaign_from_folder("mine", tempfile.mkdtemp())   # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    jounce.core.errors.DescriptionError: ...: no settings of the laboratory; ...
     """
     place = Path(source)
     known = _settings_of(place, settings)
@@ -371,7 +378,7 @@ class _Maker:
 
     def _updates(self) -> Iterator[dict[str, Any]]:
         sides = ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient")
-        bounds: dict[str, Any] = {path: _DAMPING_BOUNDS for path in sides}
+        bounds: dict[str, Any] = dict.fromkeys(sides, _DAMPING_BOUNDS)
         if self.laboratory.rig:
             bounds = {"strut.damper.coefficient": "50 %"}
         usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}

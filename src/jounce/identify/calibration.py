@@ -35,7 +35,7 @@ class Calibration(Shown):
     residual : float
         Largest difference between a point and the line, as a share of the range of the points (1).
     reference, recorded : tuple of float
-        The points.
+        The points: sizes of the quantity (SI), and what was recorded of them (V, A or counts).
     findings : tuple of Finding
         What weakens it.
     """
@@ -66,7 +66,7 @@ def fit_calibration(
     reference : array_like, shape (n,)
         Known sizes of the quantity, SI; for a tilt test, gravity times the cosine of the angle.
     recorded : array_like, shape (n,)
-        What was recorded at each of them, in ``recorded_unit``.
+        What was recorded at each of them, in V, A or counts (1), as ``recorded_unit`` says.
     unit, recorded_unit : str
         SI units of both.
     name : str
@@ -133,6 +133,21 @@ def read_calibration(path: Path | str) -> Calibration:
     r"""Fit the calibration in a file with one column of known sizes and one of what was recorded (V, mV, A, counts).
 
     A column of angles (of the sensitive axis from the vertical) is a tilt test.
+
+    Parameters
+    ----------
+    path : Path or str
+        Any file of columns: text, workbook, or a format of the extra ``io``.
+
+    Returns
+    -------
+    Calibration
+        Sensitivity and zero with 95 % intervals.
+
+    Raises
+    ------
+    FitError
+        For other columns, or points that tell nothing.
 
     Examples
     --------

@@ -23,7 +23,9 @@ class UpdateSettings:
     Attributes
     ----------
     name, method, weights, channels, align, lag_bound, starts, seed, tolerance, doubt, nuisances, bench
-        As for :func:`jounce.update_model`; a table of doubts becomes a ``Doubt``.
+        As for :func:`jounce.update_model`.
+    doubts : Doubt or None
+        ``doubt``, read where it was given as a table.
 
     Raises
     ------

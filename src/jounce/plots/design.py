@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import display_unit, shown_as
-from jounce.plots.display import number, quantity
+from jounce.plots.display import number, quantity, raised
 from jounce.plots.figures import (
     AFTER,
     BEFORE,
@@ -21,7 +21,6 @@ from jounce.plots.figures import (
     in_legend,
     log_axes,
     new_figure,
-    raised,
     styled,
 )
 from jounce.plots.labels import name_points

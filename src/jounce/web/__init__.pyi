@@ -1,0 +1,3 @@
+"""Public names of the workbench, each loaded on first use."""
+
+from .serving import serve as serve
