@@ -26,6 +26,7 @@ from .campaign.bench_fits import fit_measured_damper as fit_measured_damper
 from .campaign.bench_fits import fit_measured_decays as fit_measured_decays
 from .campaign.bench_fits import fit_measured_stiffness as fit_measured_stiffness
 from .campaign.bench_fits import read_bench_files as read_bench_files
+from .campaign.model_choice import compare_campaign_models as compare_campaign_models
 from .campaign.posterior import campaign_next_trials as campaign_next_trials
 from .campaign.posterior import campaign_posterior as campaign_posterior
 from .campaign.speed_sweep import speed_sweep as speed_sweep

@@ -470,7 +470,7 @@ class Runner:
         trials = []
         for number, item in self.loaded.items():
             lag = lags.get(f"trial {number}", None if lags else 0.0)
-            before, after = (self._comparison(item, known, lag) for known in (strategy.start, strategy.knowledge))
+            before, after = (self.comparison(item, known, lag) for known in (strategy.start, strategy.knowledge))
             trials.append(StrategyTrial(number, number in strategy.fitted_on, before[0], after[0], before[1], after[1]))
         return replace(strategy, trials=tuple(trials))
 
@@ -526,12 +526,12 @@ class Runner:
         self.progress(f"compare trial {which} of {len(self.loaded)}: {name}")
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
-        before, curves_before, _, _ = self._comparison(item, start, lag)
-        after, curves, notes, motion = self._comparison(item, final, lag)
+        before, curves_before, _, _ = self.comparison(item, start, lag)
+        after, curves, notes, motion = self.comparison(item, final, lag)
         self.findings += _without_repeats(notes)
         return TrialResult(entry, pitch, before, after, curves_before, curves, motion, item.facts)
 
-    def _comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
+    def comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
         """Compare a trial with a model; what has been compared is not run again. A failure is a finding."""
         trial = self.fit_trial(item, knowledge)
         key = (trial.name, lag, trial.rig.model_dump_json())

@@ -30,6 +30,7 @@ MODULES = (
     "jounce.bench.similitude",
     "jounce.bench.springs",
     "jounce.campaign.bench_fits",
+    "jounce.campaign.model_choice",
     "jounce.campaign.posterior",
     "jounce.design.adjustment",
     "jounce.design.studied",

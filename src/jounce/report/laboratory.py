@@ -8,6 +8,7 @@ from jounce.report.page import Column, Findings, Page, Section, table_of
 
 if TYPE_CHECKING:
     from jounce.campaign.from_folder import FolderCampaign
+    from jounce.campaign.model_choice import ModelChoice
     from jounce.identify.calibration import Calibration
 
 
@@ -57,5 +58,24 @@ def calibration_page(found: Calibration, *, title: str = "") -> Page:
     return Page(title or "Calibration", (Section("Calibration", (results, points, Findings(found.findings))),))
 
 
+def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
+    """Models of an update beside each other, the one that the data carry best first."""
+    models = found.models
+    table = table_of(
+        f"Models of {found.update}",
+        (
+            Column("model", [row.model for row in models]),
+            Column("parameters", [str(row.parameters) for row in models]),
+            Column("AIC above least", [f"{row.aic:.1f}" for row in models]),
+            Column("BIC above least", [f"{row.bic:.1f}" for row in models]),
+            Column("least R2, fitted", [_text(row.fitted) for row in models]),
+            Column("least R2, held out", [_text(row.held_out) for row in models]),
+            Column("held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]),
+        ),
+        "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
+    )
+    return Page(title or "Models compared", (Section("Models", (table, Findings(found.findings))),))
+
+
 def _text(value: float | None) -> str:
-    return "" if value is None else f"{value:.6g}"
+    return "" if value is None else f"{value:.5g}"
