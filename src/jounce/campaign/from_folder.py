@@ -212,22 +212,7 @@ class _Maker:
 
     def rig(self) -> str:
         angle = next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
-        document = tomlkit.document()
-        document["schema"] = "jounce.rig/1"
-        document["model"] = "quarter-car"
-        document["source"] = (
-            "masses as weighed; spring and tyre are replaced by their tests; the rest is where a search begins"
-        )
-        document["sprung"] = {"mass": self.raw["sprung_mass"]}
-        document["unsprung"] = {"mass": self.raw["unsprung_mass"]}
-        document["strut"] = {
-            "angle": f"{math.degrees(angle):g} deg",
-            "spring": {"rate": "22 N/mm"},
-            "damper": {"bump_coefficient": _START_DAMPING, "rebound_coefficient": _START_DAMPING},
-        }
-        document["guide"] = {"friction": {"force": "5 N", "regularisation_velocity": "5 mm/s"}}
-        document["tyre"] = {"stiffness": "138 N/mm", "damping_coefficient": "10 N*s/m"}
-        return tomlkit.dumps(document)
+        return quarter_car_text(self.raw["sprung_mass"], self.raw["unsprung_mass"], angle)
 
     def _relative(self, file: Path) -> str:
         return Path(os.path.relpath(file, self.folder)).as_posix()
@@ -411,6 +396,24 @@ class _Maker:
         if len(pressures) < 2:
             return []
         return [n for n, row in self.rows.items() if row.pressure == min(pressures) and n in self._records()]
+
+
+def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
+    """Write the rig file of a quarter car of two masses (with units) and a strut angle (rad); the rest is a start."""
+    document = tomlkit.document()
+    document["schema"] = "jounce.rig/1"
+    document["model"] = "quarter-car"
+    document["source"] = "masses as weighed; spring and tyre are replaced by their tests; the rest is a start value"
+    document["sprung"] = {"mass": sprung}
+    document["unsprung"] = {"mass": unsprung}
+    document["strut"] = {
+        "angle": f"{math.degrees(angle):g} deg",
+        "spring": {"rate": "22 N/mm"},
+        "damper": {"bump_coefficient": _START_DAMPING, "rebound_coefficient": _START_DAMPING},
+    }
+    document["guide"] = {"friction": {"force": "5 N", "regularisation_velocity": "5 mm/s"}}
+    document["tyre"] = {"stiffness": "138 N/mm", "damping_coefficient": "10 N*s/m"}
+    return tomlkit.dumps(document)
 
 
 def _tables(rows: Iterator[dict[str, Any]]) -> tomlkit.items.AoT:

@@ -32,6 +32,7 @@ MODULES = (
     "jounce.campaign.bench_fits",
     "jounce.campaign.model_choice",
     "jounce.campaign.posterior",
+    "jounce.campaign.test_sheet",
     "jounce.design.adjustment",
     "jounce.design.studied",
     "jounce.design.best_design",

@@ -1,14 +1,15 @@
-"""Pages of what a laboratory hands in: its folder, and calibrations of its sensors."""
+"""Pages of a laboratory: test sheet, folder, calibrations, and which model its data carry."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.report.page import Column, Findings, Page, Section, table_of
+from jounce.report.page import Bullets, Column, Fact, Facts, Findings, Page, Paragraph, Section, Table, table_of
 
 if TYPE_CHECKING:
     from jounce.campaign.from_folder import FolderCampaign
     from jounce.campaign.model_choice import ModelChoice
+    from jounce.campaign.test_sheet import TestSheet
     from jounce.identify.calibration import Calibration
 
 
@@ -75,6 +76,111 @@ def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
         "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
     )
     return Page(title or "Models compared", (Section("Models", (table, Findings(found.findings))),))
+
+
+_NOTES = (
+    "Date, place, who measures; temperature of the room, and of the tyre before and after",
+    "Tyre pressure before and after each trial, with the gauge used",
+    "Strut angle as set; spring seat; anything loosened or exchanged since the last trial",
+    "Speed of the belt as shown, and the inverter's frequency",
+    "Sensors: serial number, mounting, orientation, range and gain of each channel; rate and filters of the card",
+    "Mass of the body with everything on it, and of wheel and knuckle, weighed to 1 %",
+    "Height and length of the obstacle by caliper, at three places; length of the belt",
+)
+"""What a report asks for and a record does not hold."""
+
+
+def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
+    """A test sheet to print: settings, order, what to expect and to note; with room for an exercise if asked for."""
+    masses = ", ".join(f"{mass:g} kg" for mass in sheet.masses)
+    frequencies = ", ".join(f"{frequency:.3g} Hz" for frequency in sheet.frequencies)
+    facts = Facts((Fact("masses", masses), Fact("natural frequencies expected", frequencies)))
+    card = table_of(
+        "Channels of the card",
+        (
+            Column("column", [column for column, _, _ in sheet.channels]),
+            Column("measures", [measures for _, measures, _ in sheet.channels]),
+            Column("sensitivity", [text for _, _, text in sheet.channels]),
+            Column("checked", ["" for _ in sheet.channels]),
+        ),
+    )
+    trials = table_of("Trials in the order of the least setting up", _trial_columns(sheet))
+    sections = [
+        Section("Settings", (facts, card)),
+        Section("Trials", (trials, Paragraph(_PREDICTED, "muted"), _taught(sheet))),
+        Section("To note", (Bullets(_NOTES),)),
+    ]
+    if sheet.for_students:
+        sections += _exercise(sheet)
+    return Page(title or sheet.title, tuple(sections), "Test sheet")
+
+
+_PREDICTED = "Peaks are those of the model before any measurement."
+_TAUGHT = (
+    "Noise of usual accelerometers alone, one loop, nothing else unknown: real errors are many times larger, and the "
+    "order of the trials is what counts."
+)
+
+
+def _trial_columns(sheet: TestSheet) -> list[Column]:
+    trials = sheet.trials
+    shown = [
+        Column("trial", [str(trial.number) for trial in trials]),
+        Column("speed", [trial.speed for trial in trials], "m/s"),
+        Column("angle", [trial.angle for trial in trials], "rad"),
+        Column("pressure", [trial.pressure for trial in trials], "Pa"),
+        Column("obstacles", [str(trial.obstacles) for trial in trials]),
+        Column("pitch", [trial.pitch for trial in trials], "m"),
+        Column("returns after", [trial.returns for trial in trials], "s"),
+    ]
+    shown += [
+        Column(f"peak {name}", [trial.peaks.get(name) for trial in trials], "m/s^2")
+        for name in ("sprung.az", "unsprung.az")
+    ]
+    return [*shown, Column("file, remarks", ["" for _ in trials])]
+
+
+def _taught(sheet: TestSheet) -> Table:
+    """Standard error of each parameter by each trial alone."""
+    paths = dict.fromkeys(path for trial in sheet.trials for path in trial.teaches)
+    columns = [
+        Column(
+            path.replace(".", " ").replace("_", " "),
+            [f"{100.0 * trial.teaches[path]:.2g} %" if path in trial.teaches else "–" for trial in sheet.trials],
+        )
+        for path in paths
+    ]
+    names = Column("trial", [str(trial.number) for trial in sheet.trials])
+    return table_of("What each trial would teach: standard error of a parameter", (names, *columns), _TAUGHT)
+
+
+def _exercise(sheet: TestSheet) -> list[Section]:
+    """Sections in which students predict, measure and compare."""
+    numbers = [str(trial.number) for trial in sheet.trials]
+    blank = ["" for _ in numbers]
+    quantities = ("peak sprung.az", "peak unsprung.az", "natural frequency of the body", "of the wheel")
+
+    def form(caption: str, *columns: str) -> Table:
+        return table_of(caption, (Column("trial", numbers), *(Column(name, blank) for name in columns)))
+
+    questions = (
+        "Which parameter decides the first peak of the wheel, and why does the body hardly feel it?",
+        "At which speed does the obstacle meet a natural frequency, and what do you expect there?",
+        "Where does the tyre leave the road, and how would you see it in the record?",
+    )
+    return [
+        Section(
+            "Predict", (Paragraph("Before any trial is run."), Bullets(questions), form("Prediction", *quantities))
+        ),
+        Section("Measure", (form("Measurement", "file", *quantities),)),
+        Section(
+            "Compare",
+            (
+                form("Comparison", "predicted", "measured", "difference", "because"),
+                Paragraph("Conclusion: which model do the data carry, for which trials, and how do you know?"),
+            ),
+        ),
+    ]
 
 
 def _text(value: float | None) -> str:
