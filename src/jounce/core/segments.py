@@ -69,6 +69,60 @@ class Segments:
         """Return the same heights against time for a constant ``speed`` in m/s."""
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
+    def split_at(self, x: Array) -> Segments:
+        """Return the same signal with edges at ``x`` (the unit of ``edges``), too; those outside of it are left out.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> line = piecewise_linear(np.array([0.0, 2.0]), np.array([0.0, 4.0]))
+        >>> line.split_at(np.array([0.5])).coefficients[:, :2].tolist()
+        [[0.0, 2.0], [1.0, 2.0]]
+        """
+        inside = np.setdiff1d(x[(x > self.edges[0]) & (x < self.edges[-1])], self.edges)
+        if not inside.size:
+            return self
+        piece = self.piece_at(inside)
+        s = self.rate * (inside - self.edges[piece])
+        table = self.coefficients[piece].copy()
+        c0, c1, c2, c3 = table.T.copy()
+        kind = self.kind[piece]
+        polynomial = (c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2.0 * c2 + 3.0 * s * c3), c2 + 3.0 * s * c3)
+        for column, moved in enumerate(polynomial):
+            table[:, column] = np.where(kind == POLYNOMIAL, moved, table[:, column])
+        table[:, 3] = np.where(kind == SINE, c3 + c2 * s, table[:, 3])
+        table[:, 2] = np.where(kind == CIRCLE, c2 - s, table[:, 2])
+        return replace(
+            self,
+            edges=np.insert(self.edges, piece + 1, inside),
+            kind=np.insert(self.kind, piece + 1, kind),
+            coefficients=np.insert(self.coefficients, piece + 1, table, axis=0),
+        )
+
+    def stretched(self, edges: Array) -> Segments:
+        """Return the same pieces between other edges, each stretched to fit.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> line = piecewise_linear(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0, 0.0]))
+        >>> line.stretched(np.array([0.0, 0.5, 4.5])).evaluate(np.array([0.25, 2.5]))[0].tolist()
+        [0.5, 0.5]
+        """
+        stretch = np.diff(self.edges) / np.diff(edges)
+        table = self.coefficients.copy()
+        for power in (1, 2, 3):
+            table[:, power] *= np.where(self.kind == POLYNOMIAL, stretch**power, 1.0)
+        table[:, 2] *= np.where(self.kind == SINE, stretch, 1.0)
+        for column, factor in ((1, 1.0 / stretch), (2, 1.0 / stretch), (3, stretch)):
+            table[:, column] *= np.where(self.kind == CIRCLE, factor, 1.0)
+        return replace(self, edges=edges, coefficients=table)
+
+    def in_time_along(self, time: Array, distance: Array) -> Segments:
+        """Return the same heights against time where a distance has been travelled at each time (s, m; both ascend)."""
+        split = self.split_at(distance)
+        return split.stretched(np.interp(split.edges, distance, time))
+
     def times(self, factor: float) -> Segments:
         """Return the same pieces with heights multiplied by a factor (1)."""
         if factor == 1.0:

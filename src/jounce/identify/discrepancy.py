@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding, finding
-from jounce.core.segments import POLYNOMIAL, Segments
+from jounce.core.segments import Segments
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
@@ -252,7 +252,7 @@ class _Run:
         time = track.edges * self.speed / (self.speed + speed)
         into = np.clip((track.edges - begin) / (end - begin), 0.0, 1.0)
         time = time + slowing * (0.5 * into**2 * (end - begin) + np.maximum(track.edges - end, 0.0))
-        return _stretch(track, time)
+        return track.stretched(time)
 
     def _command(self, given: Segments, inputs: Mapping[str, float]) -> Segments:
         """Force beside the strut: one that was measured, and what the last simulation says of those in doubt."""
@@ -1240,17 +1240,6 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
 
     velocity = float(np.max(np.abs(seen("strut.velocity"))))
     return RideExtent(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
-
-
-def _stretch(track: Segments, edges: Array) -> Segments:
-    """The same pieces between other edges, stretched to fit."""
-    stretch = np.diff(track.edges) / np.diff(edges)
-    table = track.coefficients.copy()
-    polynomial = track.kind == POLYNOMIAL
-    for power in (1, 2, 3):
-        table[polynomial, power] *= stretch[polynomial] ** power
-    table[~polynomial, 2] *= stretch[~polynomial]
-    return replace(track, edges=edges, coefficients=table)
 
 
 # what draws predict -----------------------------------------------------------------------------------------------

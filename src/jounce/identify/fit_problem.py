@@ -29,6 +29,7 @@ from jounce.mechanics.facts import is_road
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.carried import as_recording
+from jounce.recordings.conditioning import cut_to_range
 from jounce.recordings.quality import frozen_samples
 from jounce.recordings.schema import check_recording
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
@@ -223,7 +224,7 @@ class Prepared:
             table = filter_signals(table, self.rate, channel.sensor, where=channel.name)
         table = table[len(table) - len(channel.measured) :]
         table[:, 0] += channel.bias
-        return table
+        return table if channel.sensor is None else cut_to_range(channel.name, channel.sensor, table)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 from jounce.core.columns import ColumnTable, name_and_unit
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of, to_si
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.schema import channel_unit, describe, place_of
@@ -219,6 +220,42 @@ def range_of(name: str, sensor: Sensor) -> tuple[float, float] | None:
         return ends[0], ends[1]
     size = to_si(text, unit, where=f"sensors: {name}.range")
     return -size, size
+
+
+def cut_to_range(name: str, sensor: Sensor, table: Array) -> Array:
+    """Cut a reading at the end of its sensor's range; what stands beside it (derivatives of it) is 0 there.
+
+    Parameters
+    ----------
+    name : str
+        Channel, which says the SI unit of the reading.
+    sensor : Sensor
+        Its chain; without a range nothing is cut.
+    table : ndarray, shape (n,) or (n, k)
+        Readings, or a column of readings and columns of derivatives.
+
+    Returns
+    -------
+    ndarray, shape of ``table``
+        The same, cut.
+
+    Examples
+    --------
+    >>> from jounce.recordings import Sensor
+    >>> cut_to_range("sprung.az", Sensor(range="10 m/s^2"), np.array([[12.0, 1.0], [3.0, 1.0]])).tolist()
+    [[10.0, 0.0], [3.0, 1.0]]
+    """
+    ends = range_of(name, sensor)
+    if ends is None:
+        return table
+    reading = table if table.ndim == 1 else table[:, 0]
+    beyond = (reading < ends[0]) | (reading > ends[1])
+    cut = table.copy()
+    if table.ndim == 1:
+        return np.clip(cut, *ends)
+    cut[:, 0] = np.clip(reading, *ends)
+    cut[beyond, 1:] = 0.0
+    return cut
 
 
 def _has_unit(text: str, si: str) -> bool:

@@ -315,6 +315,8 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
     >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
     [9.80665, 8.80665, 7.80665]
     """
+    from jounce.recordings.conditioning import cut_to_range
+
     if seed is not None:
         check_seed(seed)
     dataset = as_recording(dataset)
@@ -333,5 +335,6 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
         if seed is not None and deviation > 0.0:
             generator = np.random.default_rng([seed, zlib.crc32(name.encode())])
             values = values + deviation * generator.standard_normal(values.shape)
+        values = cut_to_range(name, sensor, values)
         changed[name] = (variable.dims, values, dict(variable.attrs))
     return dataset.assign(changed)

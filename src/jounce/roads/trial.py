@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
@@ -19,6 +20,7 @@ from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import remembered
 from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
+from jounce.core.types import Array
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions, unit_question
@@ -278,15 +280,75 @@ def _from_file(value: object) -> object:
     return {"file": value} if isinstance(value, str | Path) else value
 
 
+_SAME_MEAN = 1e-6  # share by which a speed that is stated, too, may differ from the mean of those over time
+
+
+class SpeedOverTime(Description):
+    """A speed that changes: straight lines through points.
+
+    Attributes
+    ----------
+    time : tuple of float
+        Strictly ascending times from 0, s; the last speed holds after the last.
+    speed : tuple of float
+        Speeds at these times, m/s, above 0.
+
+    Examples
+    --------
+    >>> slowing = SpeedOverTime(time=[0.0, 2.0], speed=["3 m/s", "1 m/s"])
+    >>> time, distance = slowing.travelled(3.0)
+    >>> round(float(distance[-1]), 6)
+    5.0
+    """
+
+    time: Annotated[tuple[NonNegativeTime, ...], Listed]
+    speed: Annotated[tuple[PositiveSpeed, ...], Listed]
+
+    @model_validator(mode="after")
+    def _in_step(self) -> Self:
+        if len(self.time) != len(self.speed) or len(self.time) < 2:
+            raise ValueError(
+                f"time has {len(self.time)} numbers and speed has {len(self.speed)}; give as many, at least 2"
+            )
+        if self.time[0] != 0.0:
+            raise ValueError(f"time begins at {self.time[0]:g} s; it must begin at 0, where the trial starts")
+        for a, b in pairwise(self.time):
+            if b <= a:
+                raise ValueError(f"time does not ascend: {a:g} s, then {b:g} s")
+        return self
+
+    def travelled(self, duration: float) -> tuple[Array, Array]:
+        """Return times (s) up to ``duration`` and the distance (m) driven at each; between them the speed is constant.
+
+        Steps are so short that the speed changes by half a per cent in each.
+        """
+        nodes = np.array([t for t in self.time if t < duration])
+        nodes = np.append(nodes, duration)
+        speeds = np.interp(nodes, self.time, self.speed)
+        parts = [
+            np.linspace(a, b, 1 + max(1, math.ceil(abs(math.log(w / v)) / _SPEED_STEP)))[:-1]
+            for (a, v), (b, w) in pairwise(zip(nodes, speeds, strict=True))
+        ]
+        time = np.append(np.concatenate(parts), duration)
+        speed = np.interp(time, self.time, self.speed)
+        steps = 0.5 * (speed[1:] + speed[:-1]) * np.diff(time)
+        return time, np.concatenate([[0.0], np.cumsum(steps)])
+
+
+_SPEED_STEP = 0.005  # share by which a speed changes while it counts as constant: 10 um of distance on a bench
+
+
 class Trial(Description):
-    """One run: a road driven over at a constant speed, or an excitation in time; for vehicles also manoeuvre loads.
+    """One run: a road driven over at a speed, or an excitation in time; for vehicles also manoeuvre loads.
 
     Attributes
     ----------
     road : Road or None
         Road; with ``speed`` and ``duration``.
     speed : float or None
-        Constant speed in m/s, above 0.
+        Constant speed in m/s, above 0; the mean where ``speeds`` are given.
+    speeds : SpeedOverTime or None
+        Instead of it: a speed that changes, ``{time = [...], speed = [...]}``.
     excitation : Excitation or None
         Instead of road and speed; a path is short for ``{file = path}``.
     duration : float
@@ -312,6 +374,7 @@ class Trial(Description):
 
     road: Road | None = None
     speed: PositiveSpeed | None = None
+    speeds: SpeedOverTime | None = None
     excitation: Annotated[Excitation | None, BeforeValidator(_from_file)] = None
     duration: Annotated[float, Unit("s", above=0.0)] = 0.0  # replaced by the excitation's last time
     right: Road | None = None
@@ -325,6 +388,15 @@ class Trial(Description):
         if (self.road is None) == (self.excitation is None):
             given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
             raise ValueError(f"{given} given; allowed: road and speed, or excitation")
+        if self.speeds is not None and self.road is None:
+            raise ValueError("speeds are given without a road; an excitation is in time already")
+        if self.speeds is not None and "duration" in self.model_fields_set:
+            mean = float(self.speeds.travelled(self.duration)[1][-1]) / self.duration
+            if self.speed is not None and abs(self.speed / mean - 1.0) > _SAME_MEAN:
+                raise ValueError(
+                    f"speed ({self.speed:g} m/s) and speeds (a mean of {mean:g} m/s) are given; leave out speed"
+                )
+            object.__setattr__(self, "speed", mean)
         if self.road is not None and self.speed is None:
             raise ValueError("the speed is missing; a road is driven over at a speed, e.g. speed = '1.95 m/s'")
         if self.excitation is not None and self.speed is not None:
@@ -351,6 +423,10 @@ class Trial(Description):
         if self.speed is None:
             return self
         given = {name: getattr(self, name) for name in self.model_fields_set}
+        if self.speeds is not None:
+            faster = [factor * speed for speed in self.speeds.speed]
+            given |= {"speeds": SpeedOverTime(time=self.speeds.time, speed=faster)}
+            return Trial.model_validate({name: value for name, value in given.items() if name != "speed"})
         return Trial.model_validate({**given, "speed": factor * self.speed})
 
     def _default_duration(self) -> float:
@@ -389,7 +465,10 @@ class Trial(Description):
     def _laid_out(self, behind: float, side: int) -> Segments:
         road = self.right if self.right is not None and side < 0 else self.road
         if road is not None and self.speed is not None:
-            return road.segments(self.speed * self.duration, behind).in_time(self.speed)
+            driven = road.segments(self.speed * self.duration, behind)
+            if self.speeds is None:
+                return driven.in_time(self.speed)
+            return driven.in_time_along(*self.speeds.travelled(self.duration))
         if self.excitation is None:
             raise AssertionError("a trial has a road or an excitation")
         return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
@@ -413,7 +492,12 @@ class Trial(Description):
     def end(self) -> float:
         """Time in s at which the first pass of the last obstacle, or the excitation, ends (duration or not)."""
         if self.road is not None and self.speed is not None:
-            return self.road.end() / self.speed
+            if self.speeds is None:
+                return self.road.end() / self.speed
+            time, distance = self.speeds.travelled(self.duration)
+            end = self.road.end()
+            beyond = max(end - float(distance[-1]), 0.0) / self.speeds.speed[-1]
+            return float(np.interp(end, distance, time)) + beyond
         return self.excitation.end() if self.excitation is not None else 0.0
 
 

@@ -82,6 +82,8 @@ def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, 
         return solved(rig, trial, settings, **more)
     period = period_of(trial)
     loops = loops_before(rig, period) if start == "periodic" else _count(start)
+    if trial.speeds is not None:
+        raise SimulationError("the speed changes during the run", where="start", allowed="rest")
     if any(trial.load(name).jumps.size for name in trial.loads):
         raise SimulationError(
             "a load sets in during the run", where="start", allowed="rest", hint="Leave out the load."

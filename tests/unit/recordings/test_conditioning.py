@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
+import jounce as jn
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.recordings import Sensor, read_recording
 from jounce.recordings.conditioning import range_of, sensitivity_of
@@ -119,6 +120,17 @@ def test_what_reaches_the_end_of_a_range_is_said(tmp_path: Path) -> None:
 def test_ranges(given: dict[str, str], ends: tuple[float, float] | None) -> None:
     found = range_of("sprung.az", Sensor(**given))
     assert found == pytest.approx(ends) if ends else found is None
+
+
+def test_a_range_cuts_the_model_as_it_cut_the_record() -> None:
+    rig = jn.load("kart-quarter-car")
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    stiff = rig.with_changes({"strut.spring.rate": "24 N/mm"})
+    sensors = {"sprung.az": Sensor(range="10 m/s^2")}
+    record = jn.apply_sensors(jn.simulate(stiff, trial, tolerance=1e-8)[["sprung.az"]], sensors)
+    assert float(abs(record["sprung.az"]).max()) == 10.0
+    found = jn.update_model([jn.FitTrial("one", rig, trial, record, sensors)], {"strut.spring.rate": "15 %"})
+    assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=1e-6)
 
 
 def test_a_voltage_without_a_sensitivity_is_refused(tmp_path: Path) -> None:
