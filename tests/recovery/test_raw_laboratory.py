@@ -134,3 +134,19 @@ def test_other_files_go_on_without_one(folder: Path, tmp_path: Path) -> None:
     assert codes["stated_sensitivity_used"] == "cal_laser.csv"
     left_out = {item.place for item in made.findings if item.code == "campaign.file_left_out"}
     assert left_out == {"notes.docx", "empty.csv"}
+
+
+def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
+    place = tmp_path / "raw"
+    shutil.copytree(folder, place)
+    first, second = next(place.glob("*_01.csv")), next(place.glob("*_02.csv"))
+    first.rename(place / "swap")
+    second.rename(first)
+    (place / "swap").rename(second)
+    for file in place.glob("P*.csv"):
+        if file not in (first, second) and not file.stem.endswith("_03"):
+            file.unlink()
+    made = jn.campaign_from_folder(tmp_path / "campaign", place)
+    runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
+    (named,) = [item for item in runner.findings if item.code == "campaign.trials_exchanged"]
+    assert named.place == "trials 1 and 2"

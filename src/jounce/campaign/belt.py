@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 from typing import Annotated, Literal
 
 import numpy as np
@@ -251,3 +253,21 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[F
 
 _SURE = 0.8
 """Correlation with the model's response from which on its place is taken, rather than that of the road."""
+
+
+def exchanged(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
+    """Name pairs of trials whose records were exchanged: each runs at the speed that is noted of the other."""
+    noted = {number: facts.noted for number, facts in trials.items() if facts.noted is not None}
+    findings = []
+    for first, second in combinations(noted, 2):
+        own, other = trials[first], trials[second]
+        apart = abs(noted[first] / noted[second] - 1.0)
+        crossed = max(abs(own.speed / noted[second] - 1.0), abs(other.speed / noted[first] - 1.0))
+        if apart > 2.0 * _SAME_SPEED and crossed < _SAME_SPEED:
+            place = f"trials {first} and {second}"
+            findings.append(finding("campaign.trials_exchanged", place, first=own.speed, second=other.speed))
+    return findings
+
+
+_SAME_SPEED = 0.02
+"""Share by which a noted speed and that of the recurrence differ at most: speeds are noted with two decimals."""

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from jounce.campaign.belt import PULSES, TrialOnBelt, placed, with_recurrence
+from jounce.campaign.belt import PULSES, TrialOnBelt, exchanged, placed, with_recurrence
 from jounce.campaign.characterise import (
     SPRUNG_MASS,
     Characterisation,
@@ -370,6 +370,7 @@ class Runner:
                 self.sensors[number] = trial.sensors
                 self.loaded[number] = replace(item, trial=trial.trial, measured=trial.measured, facts=facts)
                 self.findings += [at_place(f"{name}: {item.place}", item) for item in facts.findings]
+        self.findings += exchanged({number: item.facts for number, item in self.loaded.items() if item.facts})
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
