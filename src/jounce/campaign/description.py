@@ -109,6 +109,7 @@ class TrialEntry(RecordingFormat):
     added_mass: NonNegativeMass = 0.0
     wheel_load: Annotated[float, Unit("N", above=0.0)] | None = None
     changes: dict[str, Any] = {}
+    adjustments: dict[str, Any] = {}
 
     @model_validator(mode="after")
     def _road_or_excitation(self) -> TrialEntry:

@@ -36,6 +36,7 @@ from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
+from jounce.design.adjustments import adjusted
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
@@ -176,7 +177,7 @@ def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], lis
     """What is refused before any work is done; ``jounce check`` does all of it, too."""
     return [
         partial(check, campaign, rig, file)
-        for check in (_check_sensors, check_strut_angles, _check_masses, _check_updates)
+        for check in (_check_sensors, check_strut_angles, _check_adjustments, _check_masses, _check_updates)
     ]
 
 
@@ -204,6 +205,28 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
             ) from None
         findings += strut_angle_findings(entry.strut_angle, f"trial {entry.number}: strut_angle")
     return findings
+
+
+def rig_of(entry: TrialEntry, knowledge: Knowledge) -> Rig:
+    """Return the rig as it was set up for a trial, with its adjustments made last."""
+    rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
+    return adjusted(rig, entry.adjustments) if entry.adjustments else rig
+
+
+def _check_adjustments(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
+    """Refuse adjustments that the rig does not have, or that do not go together."""
+    for i, entry in enumerate(campaign.trial):
+        if not entry.adjustments:
+            continue
+        try:
+            adjusted(rig, entry.adjustments)
+        except JounceError as error:
+            place = f"{file}: trial[{i}].adjustments (number {entry.number})"
+            where = f"{place}: {error.where}" if error.where else place
+            raise DescriptionError(
+                error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+            ) from None
+    return []
 
 
 def _check_masses(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
@@ -344,7 +367,7 @@ class Runner:
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Give a trial with the rig as it was set up for it."""
         entry = item.entry
-        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
+        rig = rig_of(entry, knowledge)
         added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
         return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load)
@@ -512,7 +535,7 @@ class Runner:
 
     def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
         entry = item.entry
-        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
+        rig = rig_of(entry, knowledge)
         assert isinstance(rig, Corner)
         return compare_peaks(f"trial {entry.number}", rig, lumped_from(rig), item.trial)
 
