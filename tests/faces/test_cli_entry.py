@@ -68,7 +68,7 @@ def test_three_options_write_files() -> None:
         yield from (one.opts[0] for one in command.params if "Path" in str(kinds.get(one.name)))
 
     written = {name for name in files(get_command(entry.application())) if name.startswith("--")}
-    read = {"--limits", "--excitation", "--database"}
+    read = {"--excitation", "--database", "--from", "--settings"}
     assert written == {"--out", "--figure", "--report"} | read
 
 
@@ -159,7 +159,7 @@ def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeyp
     def interrupt(*words: object, **options: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("jounce.simulation.run.solved", interrupt)
+    monkeypatch.setattr("jounce.simulation.trial_run.solved", interrupt)
     outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
     assert outcome.exit_code == 130
     assert "no file is left half-written" in outcome.err

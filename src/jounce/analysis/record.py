@@ -21,11 +21,11 @@ from jounce.recordings.quality import FEWEST_SAMPLES, check_instants, check_time
 from jounce.recordings.schema import describe
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
-    from pandas import DataFrame
 
 AnyRecord: TypeAlias = Annotated[
-    "xr.Dataset | DataFrame | tuple[xr.Dataset, list[Finding]] | Measured | Path | str",
+    "xr.Dataset | pd.DataFrame | tuple[xr.Dataset, list[Finding]] | Measured | Path | str",
     MadeBy("jounce.recordings.options:chosen_recording", "jounce.recordings.options:recording_in_python"),
 ]
 """A recording, with or without its findings, a table, or a file; faces ask for a file and its columns."""

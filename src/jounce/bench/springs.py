@@ -23,6 +23,7 @@ from jounce.core.units import (
     NonNegativeForce,
     PositiveLength,
     PositiveStiffness,
+    to_si,
 )
 
 PUBLISHED = {"bicycle": 52775.0, "scooter": 22730.0}  # N/m
@@ -155,9 +156,9 @@ def compare_springs(
     Raises
     ------
     DescriptionError
-        For a rate that is not positive.
+        For a text that is no rate.
     FitError
-        For no springs, springs of the same name, and a strut that lies nearly flat.
+        For no springs, a rate that is not positive, springs of the same name, and a strut that lies nearly flat.
 
     Examples
     --------
@@ -168,11 +169,12 @@ def compare_springs(
     choice = choice or SpringChoice()
     springs = PUBLISHED if springs is None else springs
     pairs = [*springs.items()] if isinstance(springs, Mapping) else springs
-    rates = [(name, positive_quantity(str(rate), "N/m", name)) for name, rate in pairs]
-    if not rates:
+    names = [name for name, _ in pairs]
+    if not names:
         raise FitError("no springs to compare", allowed="at least one")
-    if len({name for name, _ in rates}) < len(rates):
+    if len(set(names)) < len(names):
         raise FitError("a spring is named twice", allowed="different names")
+    rates = [(name, _rate(name, rate)) for name, rate in pairs]
     if math.cos(choice.strut_angle) < 0.1:
         raise FitError(
             "the strut lies nearly flat", found=f"{math.degrees(choice.strut_angle):g} deg", allowed="below 84 deg"
@@ -185,6 +187,15 @@ def compare_springs(
     findings += _doubts(chosen, choice)
     findings += estimates_used(choice, "springs")
     return SpringComparison(rows, chosen.name, reasons, tuple(findings))
+
+
+def _rate(name: str, given: float | str) -> float:
+    """Rate in N/m; a number is SI whatever its size, a text that is typed must be plausible."""
+    if isinstance(given, str):
+        return positive_quantity(given, "N/m", name)
+    if not given > 0.0:
+        raise FitError(f"{name}: the spring rate is not positive", found=f"{given:g} N/m", allowed="above 0 N/m")
+    return to_si(given, "N/m", where=name)
 
 
 def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:

@@ -84,7 +84,9 @@ def console(*, stderr: bool = False) -> Console:
             raise BrokenPipeError
 
         def render_str(self, text: str, **options: Any) -> Text:
-            return super().render_str(visible(_shown(text, self.encoding)), **options)  # before its width is measured
+            return super().render_str(
+                visible(encodable(text, self.encoding)), **options
+            )  # before its width is measured
 
         def render(self, renderable: Any, options: Any = None) -> Iterator[Segment]:
             for segment in super().render(renderable, options):
@@ -136,7 +138,7 @@ def _escaped(error: UnicodeError) -> tuple[str, int]:
 codecs.register_error(_ESCAPES, _escaped)
 
 
-def _shown(text: str, encoding: str) -> str:
+def encodable(text: str, encoding: str) -> str:
     """A text as a stream of an encoding shows it; bytes of a file's name that Python could not read are UTF-8."""
     if text.isascii():
         return text
@@ -193,7 +195,7 @@ def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> 
 def tell(message: str, *, program: str = "jounce: ") -> None:
     """Write one message to stderr, where somebody reads it."""
     try:
-        sys.stderr.write(f"{program}{visible(_shown(message, sys.stderr.encoding or 'utf-8'))}\n")
+        sys.stderr.write(f"{program}{visible(encodable(message, sys.stderr.encoding or 'utf-8'))}\n")
         sys.stderr.flush()
     except OSError:
         lead_nowhere(sys.stderr)

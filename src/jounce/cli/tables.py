@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from jounce.cli.everywhere import VIEW
@@ -19,10 +20,14 @@ class FittedTable(TextTable):
         """Print the title, the table, and how many rows are left out."""
         from rich.text import Text
 
+        from jounce.cli.reply import encodable
+
+        rows = [[encodable(cell, options.encoding) for cell in row] for row in self.rows]  # before widths are measured
+        fitted = replace(self, rows=rows)
         is_cut = len(self.rows) > _LONG and not VIEW.every_row and sys.stdout.isatty()
         if self.title:
             yield Text(self.title, style="bold")
-        for line in self.lines(options.max_width, _FIRST if is_cut else None):
+        for line in fitted.lines(options.max_width, _FIRST if is_cut else None):
             yield Text(line.replace("─", "-") if options.ascii_only else line, no_wrap=True)
         if is_cut:
             yield Text(f"… and {len(self.rows) - _FIRST} more rows: --all", style="dim italic")

@@ -458,7 +458,7 @@ StrutDamper = Annotated[_LumpedDamper | Annotated[MapDamper, Tag("map")], Discri
 
 def damper_laws(part: BaseModel, prefix: str = "") -> Iterator[tuple[str, DamperLaw]]:
     """Give the damper laws of a description with their paths, e.g. ``("strut.damper", LinearDamper(...))``."""
-    for name in type(part).model_fields:
+    for name in getattr(type(part), "model_fields", ()):  # what only has parameters has no laws
         value = getattr(part, name)
         if isinstance(value, DamperLaw):
             yield f"{prefix}{name}", value

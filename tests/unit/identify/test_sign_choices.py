@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.identify.estimate import Estimate
 from jounce.identify.signs import Signs, _Choice, _sign, _unlike, closed_part, damper_signs, likeness, static_force
 
@@ -16,8 +16,12 @@ Told = list[tuple[str, str, float | None]]
 
 def asked(choice: _Choice, *, turned: bool) -> tuple[Signs, Told]:
     told: Told = []
-    signs = (choice.turned if turned else choice.dissipating)(lambda *each: told.append((*each, None)[:3]))
-    return signs, told
+
+    def add(code: str, value: float | None = None, /, **numbers: object) -> None:
+        item = finding(code, "a.csv", value, **numbers)
+        told.append((item.severity, item.message, item.value))
+
+    return (choice.turned if turned else choice.dissipating)(add), told
 
 
 @pytest.mark.parametrize("stroke", [False, True])

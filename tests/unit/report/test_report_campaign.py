@@ -204,7 +204,7 @@ def test_superseded_updates_stand_folded_with_their_findings(result: CampaignRes
     notes = (jn.Finding(f"{first}: x", "warning", "old"), jn.Finding("strategy a 1: x", "warning", "new"))
     campaign = result.campaign.model_copy(update={"update": alone})
     page = campaign_page(replace(result, campaign=campaign, findings=notes))
-    careful = next(block for block in page.sections[0].blocks if getattr(block, "title", "").startswith("What to be"))
+    careful = next(block for block in page.sections[0].blocks if getattr(block, "title", "").startswith("Warnings"))
     assert [finding.message for finding in careful.blocks[0].items] == ["new"]
     folded = [block.summary for block in page.blocks() if isinstance(block, Details)]
     assert f"{first}: superseded, the final model is not made of it" in folded
