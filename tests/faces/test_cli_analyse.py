@@ -84,6 +84,11 @@ def test_modes_are_found_from_a_file_and_count_is_asked_for(lap: str, capsys: py
         (["statistics", "--from", "2 min"], "the stretch holds too few samples"),
         (["transfer", "--input", "road.z", "--output", "sprung.az", "--estimator", "H4"], "unknown estimator"),
         (["modes", "--input", "road.z", "--band", "3..4 Hz"], "the band is too narrow for modes"),
+        (["modes", "--input", "road.z", "--count", "0"], "--count: no number of modes; found 0; allowed: 1 to 6"),
+        (["modes", "--input", "road.z", "--count", "7"], "--count: no number of modes; found 7; allowed: 1 to 6"),
+        (["modes", "--input", "road.z", "--set", "sprung.mass=350 kg"], "--set: it changes no rig"),
+        (["transfer", "--input", "road.z", "--output", "sprung.az", "--set", "a=1"], "--set: it changes no rig"),
+        (["statistics", "--channel", ""], "no channel ''"),
         (["integrate", "--channel", "road.z"], "only accelerations are integrated"),
     ],
 )

@@ -158,8 +158,10 @@ def test_no_output_takes_the_place_of_a_pipe(target, tmp_path_factory, monkeypat
         assert "a pipe or a device" in said or "is a file, not a folder" in said or "not a file" in said
 
 
-@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/null"])
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/dev/null"])
 def test_devices_are_no_outputs(name, tmp_path):
+    if Path(name).is_file() and not Path(name).is_symlink():
+        pytest.skip(f"somebody has put a file in the place of {name}")
     asked = ["simulate", "kart-quarter-car", "--road", "detrended_rms_course_1in", "--speed", "2 m/s"]
     ended = run([*asked, "--duration", "0.2 s", "--out", name, "--force"], tmp_path)
     assert ended.returncode == 2

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.analysis.options import ComparedRig
 from jounce.analysis.poles import (
+    MOST_MODES,
     Complex,
     Kind,
     Lines,
@@ -171,7 +172,7 @@ def fit_modes(
     decay: Annotated[bool, Switch("The record is a free decay.")] = False,
     rig: ComparedRig = None,
     count: Annotated[
-        int | None, Count("Number of modes; by default as many as the data ask for.", "COUNT", least=1)
+        int | None, Count("Number of modes; by default as many as the data ask for.", "COUNT", least=1, most=MOST_MODES)
     ] = None,
     band: Annotated[tuple[float | str, float | str] | None, BAND] = None,
     segment: Annotated[float | str | None, SEGMENT] = None,
@@ -220,7 +221,7 @@ def fit_modes(
         For an unreadable or too short record, missing samples, constant or unknown channels, and a band outside of the
         record or narrower than 24 lines.
     DescriptionError
-        For a decay with an input.
+        For a decay with an input, and a count below 1 or above 6.
 
     References
     ----------
@@ -238,6 +239,8 @@ def fit_modes(
     """
     if decay and given is not None:
         raise DescriptionError("a free decay has no input", where="given", found=given, allowed="no input with decay")
+    if count is not None and not 1 <= count <= MOST_MODES:
+        raise DescriptionError("no number of modes", where="count", found=count, allowed=f"1 to {MOST_MODES}")
     used = measured(record, begin, end)
     if given is not None:
         check_channel(used, given)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias
 
+from jounce.core.errors import DescriptionError
 from jounce.core.operation import File, MadeBy, Settings
 from jounce.parts.options import chosen_rig, rig_in_python
 from jounce.parts.rig import Rig
@@ -26,7 +27,9 @@ def compared_rig(
         Settings("Change a parameter of that rig.", "PATH=VALUE", 'strut.spring.rate="25 N/mm"'),
     ] = None,
 ) -> Rig | None:
-    """Load a rig and change its values, if one is named."""
+    """Load a rig and change its values, if one is named; refuse changes of no rig."""
+    if rig is None and changes:
+        raise DescriptionError("it changes no rig", where="changes", hint="Name the rig with --rig.")
     return None if rig is None else chosen_rig(rig, changes)
 
 

@@ -25,7 +25,7 @@ SAME = {"transfer": (0.02, 0.10), "decay": (0.02, 0.10), "spectrum": (0.05, 0.25
 5 to 10 %, more for spectra, which scatter with their own level."""
 _FEWEST_ORDERS = 4  # that must agree on a mode
 _MOST_DAMPING = 0.9
-_MOST_STARTS = 6
+MOST_MODES = 6
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ def stable_modes(found: Stabilisation, kind: Kind) -> list[tuple[float, float, i
         orders = len(set(found.order[best].tolist()))
         if orders >= _FEWEST_ORDERS:
             modes.append((float(np.median(found.frequency[best])), float(np.median(found.damping_ratio[best])), orders))
-    return sorted(modes, key=lambda mode: -mode[2])[:_MOST_STARTS]
+    return sorted(modes, key=lambda mode: -mode[2])[:MOST_MODES]
 
 
 def poles_of(parameters: Array) -> Complex:

@@ -158,7 +158,7 @@ def chosen(record: Measured, names: Sequence[str] | str | None) -> list[str]:
             raise RecordingError("no channel over time", where=record.name)
         return present
     texts = [names] if isinstance(names, str) else names
-    wanted = [part.strip() for text in texts for part in text.split(",") if part.strip()]
+    wanted = [part.strip() for text in texts for part in text.split(",") if part.strip()] or [""]
     for name in wanted:
         check_channel(record, name)
     return list(dict.fromkeys(wanted))

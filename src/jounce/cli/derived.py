@@ -108,7 +108,12 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
     subject = str(typed.get(operation.subject, ""))
     answered = Answered(operation, subject, result, plain, title, operation.comment.format(**typed, result=result))
-    missing = files.write(answered)
+    try:
+        missing = files.write(answered)
+    except KeyboardInterrupt as error:
+        if hint := getattr(result, "when_interrupted", ""):
+            error.add_note(hint)
+        raise
     written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
     if not operation.names_files:
         plain = {name: value for name, value in plain.items() if name not in written}

@@ -121,6 +121,7 @@ class SweepResult(Plain):
     """
 
     left_out = ("data",)
+    when_interrupted = "what is finished is kept; the same command with --resume goes on."
     study: str
     out: str
     command: str

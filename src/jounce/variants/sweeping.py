@@ -70,5 +70,5 @@ def sweep_study(
                 return run(client)
     except KeyboardInterrupt as error:
         if (Path(out) / "sweep.json").is_file():
-            error.add_note("what is finished is kept; the same command with --resume goes on.")
+            error.add_note(SweepResult.when_interrupted)
         raise

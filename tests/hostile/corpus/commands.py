@@ -43,9 +43,16 @@ BASES = {
     "clearances": "clearances kart-double-wishbone --between "
     '"rod: tie_rod_inner-tie_rod_outer 5 mm, rim 120 mm from -50 mm to 20 mm"',
     "steering-effort": 'steering-effort kart-double-wishbone --load lateral_force="100 N"',
+    "analyse statistics": "analyse statistics ride.csv",
+    "analyse spectrum": "analyse spectrum ride.csv",
+    "analyse transfer": "analyse transfer lane.csv --input left.plate.z --output left.plate.force",
+    "analyse modes": "analyse modes decay.csv --decay",
+    "analyse integrate": 'analyse integrate ride.csv --above "1 Hz"',
     "campaign run": "campaign run none.toml --out results",
     "campaign posterior": "campaign posterior none.toml --out drawn",
     "campaign next": "campaign next none.toml",
+    "campaign models": "campaign models none.toml",
+    "campaign sheet": "campaign sheet settings.toml",
     "campaign new": "campaign new mine",
     "campaign synthesise": 'campaign synthesise bench --duration "0.6 s"',
     "sweep": "sweep none.toml --out swept",
@@ -89,6 +96,14 @@ BASES = {
     "study inspection-equivalence": "study inspection-equivalence audi-a6-quarter-car --points 2",
 }
 """A right use of each command; a test holds that there is one for every command."""
+
+_SETTINGS = """schema = "jounce.laboratory/1"
+sprung_mass = "16 kg"
+unsprung_mass = "5 kg"
+obstacle = {height = "10 mm", length = "60 mm"}
+trials = "trials.csv"
+belt = {length = "1.97 m"}
+"""
 
 VALUES = {
     "nothing": "",
@@ -253,7 +268,11 @@ def prepare() -> None:
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))
     loads = [3.0 * sweep, 4000.0 + 900.0 * np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2) + 0.6)]
     write("ride.csv", "time [s], seat.az [m/s^2]", long, np.random.default_rng(2).normal(size=len(long)))
+    decay = np.exp(-2.0 * long) * np.cos(2.0 * np.pi * 3.0 * long)
+    write("decay.csv", "time [s], sprung.az [m/s^2]", long[:1000], decay[:1000])
     write("lane.csv", "time [s], left.plate.z [mm], left.plate.force [N]", long, *loads)
+    Path("settings.toml").write_text(_SETTINGS, encoding="utf-8")
+    Path("trials.csv").write_text("trial,speed [m/s],profile\n1,1.95,A\n2,1.97,B 0.10\n", encoding="utf-8")
     Path("empty").write_bytes(b"")
     Path("loop").symlink_to("loop")
     Path("rubbish.bin").write_bytes(np.random.default_rng(1).bytes(3000))

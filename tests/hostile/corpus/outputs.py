@@ -48,6 +48,7 @@ USES = {
     "design kinematic-front": "design kinematic-front study.toml --points 2 --out front",
     "campaign run": "campaign run c/campaign.toml --out r",
     "campaign posterior": "campaign posterior c/campaign.toml --out drawn",
+    "campaign models": "campaign models c/campaign.toml",
     "sweep": "sweep sweep.toml --out swept",
     "fit stiffness": "fit stiffness spring.csv --rig kart-quarter-car",
 }
@@ -116,7 +117,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("export mjcf", "--out"): (".xml",),
         ("export road", "--out"): tuple(ROAD_FORMATS.writers),
         **dict.fromkeys(
-            ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
+            ((one, "--out") for one in ("simulate", "ride", "inspect simulate", "analyse integrate")), (*RECORDING_FILES.writers,)
         ),
         **dict.fromkeys(
             (
@@ -136,6 +137,9 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
             (".toml",),
         ),
         **dict.fromkeys(((one, "--out") for one in ("modes", "iri", "study lumped-vs-spatial")), (".csv", ".json")),
+        **dict.fromkeys(
+            ((f"analyse {one}", "--out") for one in ("statistics", "spectrum", "transfer", "modes")), (".csv", ".json")
+        ),
         **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),
         ("load-cases", "--out"): (".csv",),
     }
@@ -194,7 +198,7 @@ def folder_for(command: str) -> Iterator[None]:
     with folder_of_files():
         Path("study.toml").write_text(_DESIGN, encoding="utf-8")
         Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
-        if command in ("campaign run", "campaign posterior"):
+        if command in ("campaign run", "campaign posterior", "campaign models"):
             new_campaign("c")
         yield
 
