@@ -50,9 +50,9 @@ USES = {
     "campaign posterior": "campaign posterior c/campaign.toml --out drawn",
     "campaign models": "campaign models c/campaign.toml",
     "sweep": "sweep sweep.toml --out swept",
-    "fit stiffness": "fit stiffness spring.csv --rig kart-quarter-car",
+    "fit stiffness --out": "fit stiffness spring.csv --rig kart-quarter-car",
 }
-"""Right uses that need a file or a rig of their own."""
+"""Right uses that need a file or a rig of their own, some of them for one option."""
 
 REFUSED = (
     "there already",
@@ -117,7 +117,8 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("export mjcf", "--out"): (".xml",),
         ("export road", "--out"): tuple(ROAD_FORMATS.writers),
         **dict.fromkeys(
-            ((one, "--out") for one in ("simulate", "ride", "inspect simulate", "analyse integrate")), (*RECORDING_FILES.writers,)
+            ((one, "--out") for one in ("simulate", "ride", "inspect simulate", "analyse integrate")),
+            (*RECORDING_FILES.writers,),
         ),
         **dict.fromkeys(
             (
@@ -160,7 +161,8 @@ def cases() -> list[tuple[str, str, str, str]]:
 def words(case: tuple[str, str, str, str], name: str) -> list[str]:
     """The command line of a case that writes to this name."""
     command, option, _, place = case
-    base = shlex.split(USES[command]) if command in USES else None
+    use = USES.get(f"{command} {option}", USES.get(command))
+    base = None if use is None else shlex.split(use)
     plain = [word for word in words_of((command, option, "a word"), base) if word != "--force"]
     found = [word.replace("nonsense", name) for word in plain]
     if option == "FOLDER" and name.startswith("-"):
