@@ -149,7 +149,8 @@ class _Names(dict[str, Any]):
 
 def _hints(function: Callable[..., Any], **options: Any) -> dict[str, Any]:
     """Evaluate the types of parameters."""
-    names = _Names({"xr": import_module("xarray"), **getattr(function, "__globals__", {})})
+    modules = {"xr": import_module("xarray"), "pd": import_module("pandas")}
+    names = _Names({**modules, **getattr(function, "__globals__", {})})
     return get_type_hints(function, localns=names, **options)
 
 
