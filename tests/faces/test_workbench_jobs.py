@@ -179,8 +179,8 @@ def test_python_of_rides_gives_what_its_command_gives(tmp_path, cli, asked, seco
     (tmp_path / "road.csv").write_text(f"x [m],z [mm]\n{rows}\n")
     names, told = _by_python_and_command(tmp_path, {"kind": "compare", "vehicle": "kart-quarter-car", **asked}, cli)
     assert told["duration"] - told["settling"] == pytest.approx(seconds)
-    assert [one["merits"] for one in told["runs"]] == [_plain(one.merits) for one in names["study"].rides]
-    assert [one["control"] for one in told["runs"]] == [one.control for one in names["study"].rides]
+    assert [one["merits"] for one in told["runs"]] == [_plain(one.merits) for one in names["result"].rides]
+    assert [one["control"] for one in told["runs"]] == [one.control for one in names["result"].rides]
 
 
 @pytest.mark.pages
@@ -262,7 +262,7 @@ def test_python_of_studies_gives_what_their_commands_give(tmp_path, cli):
     )
     design = {"kind": "design", "study": "design.toml", "out": "designed"}
     names, told = _by_python_and_command(tmp_path, design, cli, out="by command")
-    assert told["moved"] == _plain(names["found"].to_dict())["moved"]
+    assert told["moved"] == _plain(names["result"].to_dict())["moved"]
     assert jn.load(tmp_path / "designed" / "rig.toml") == jn.load(tmp_path / "by command" / "rig.toml")
     campaign = {"kind": "new-campaign", "out": "mine"}
     names, told = _by_python_and_command(tmp_path, campaign, cli, out="theirs")

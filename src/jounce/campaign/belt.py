@@ -55,7 +55,7 @@ class Belt(Description):
 
     Examples
     --------
-    >>> Belt(length="1.97 m", radius="50 mm", thickness="3 mm", pulses=12, column="ch2").pitch_radius
+    >>> round(Belt(length="1.97 m", radius="50 mm", thickness="3 mm", pulses=12, column="ch2").pitch_radius, 6)
     0.0515
     """
 

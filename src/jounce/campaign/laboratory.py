@@ -135,7 +135,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     --------
     >>> import tempfile
     >>> file = Path(tempfile.mkdtemp()) / "trials.csv"
-    >>> table = "trial,speed [m/s],angle [deg],p [MPa],profile\\n1,1.95,26,0.31,A\\n2,2.86,,,\\n4,1.97,,,B 0.10\\n"
+    >>> table = "trial,speed [m/s],angle [deg],p [MPa],profile\n1,1.95,26,0.31,A\n2,2.86,,,\n4,1.97,,,B 0.10\n"
     >>> _ = file.write_text(table)
     >>> [(row.number, row.speed, row.count, row.pitch) for row in read_trials(file)]
     [(1, 1.95, 1, None), (2, 2.86, 1, None), (4, 1.97, 5, 0.1)]

@@ -67,7 +67,7 @@ def achievement(goals: Array, best: Array, span: Array, mixture: Array) -> float
 def undominated_rows(goals: Array, span: Array) -> list[int]:
     """Rows of goals (less is better) of which none is better in every goal than another, each once.
 
-    >>> undominated(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))
+    >>> undominated_rows(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))
     [0, 1, 3]
     """
     kept: list[int] = []

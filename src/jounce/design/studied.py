@@ -111,7 +111,7 @@ def design_from_study(
     ... schema = "jounce.design/1"
     ... rig = "formula-student-front"
     ... starts = 1
-    ... free = [{point = "tie_rod_inner", within = "5 mm"}]
+    ... free = [{point = "hardpoints.tie_rod_inner", within = "5 mm"}]
     ... target = [{quantity = "toe", at = "10 mm", value = "0 deg", tolerance = "0.1 deg"}]
     ... '''
     >>> _ = file.write_text(text)

@@ -153,7 +153,7 @@ def read_calibration(path: Path | str) -> Calibration:
     --------
     >>> import tempfile
     >>> file = Path(tempfile.mkdtemp()) / "tilt.csv"
-    >>> _ = file.write_text("angle [deg],out [V]\\n0,2.6\\n90,2.5\\n180,2.4\\n")
+    >>> _ = file.write_text("angle [deg],out [V]\n0,2.6\n90,2.5\n180,2.4\n")
     >>> round(read_calibration(file).sensitivity.value, 6)
     0.010197
     """

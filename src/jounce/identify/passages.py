@@ -130,8 +130,8 @@ def find_passages(
     >>> late = road.model_copy(update={"start": 1.2})
     >>> run = jn.simulate(rig, jn.Trial(road=late, speed="1.95 m/s", duration="4 s"))[["sprung.az", "unsprung.az"]]
     >>> found = find_passages(run, rig, road, "2 m/s")
-    >>> [round(time, 3) for time in found.times], round(found.speed, 3)
-    ([0.615, 1.626, 2.636, 3.646], 1.95)
+    >>> [round(time, 2) for time in found.times], round(found.speed, 3)
+    ([0.62, 1.63, 2.64, 3.65], 1.95)
     """
     data = as_recording(measured, where=name)
     velocity = positive_si(speed, "m/s", where="speed")

@@ -107,7 +107,7 @@ def pairs_in_python(between: Sequence[str] | None = None) -> str:
     """Write pairs of bodies as Python.
 
     >>> pairs_in_python(["points: a, b 8 mm"])
-    "{'points': (jn.Solid(points=('a',), radius=0.0), jn.Solid(points=('b',), radius=0.008))}"
+    "{'points': (jn.Solid(points=('a',), places=(), radius=0.0), jn.Solid(points=('b',), places=(), radius=0.008))}"
     """
     pairs = (f"{name!r}: (jn.{first!r}, jn.{second!r})" for name, (first, second) in named_pairs(between).items())
     return f"{{{', '.join(pairs)}}}"

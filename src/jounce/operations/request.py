@@ -87,7 +87,7 @@ class Request:
             text = resolve(makes.python)(**options) if makes.python else _in_python(resolve(makes.maker), options)
             arguments.append(f"{made}={text}")
         for parameter, value in self.values():
-            if parameter.made:
+            if parameter.made or value is False:  # a switch that is off, which the function may not have
                 continue
             is_text = parameter.takes_text and isinstance(value, str)
             written = repr(value) if is_text else parameter.mark.python(value, parameter.place)

@@ -317,7 +317,7 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: ForceScaling) -> dic
 
     Examples
     --------
-    >>> referred_to_wheel({"coefficient": 1000.0}, Similitude(stroke_scale=2.0, force_scale=10.0, motion_ratio=0.5))
+    >>> referred_to_wheel({"coefficient": 1000.0}, ForceScaling(stroke_scale=2.0, force_scale=10.0, motion_ratio=0.5))
     {'coefficient': 1250.0}
     """
     force, speed = similitude.motion_ratio * similitude.force_scale, similitude.speed_ratio

@@ -98,7 +98,7 @@ def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) 
     """Make a table of labels, values (SI) and their units, each row in the unit that is chosen for it.
 
     >>> quantity_table("Rig", [("spring rate", 22730.0, "N/m"), ("damping ratio", 0.3, "1")]).rows
-    (('spring rate', '22.73', 'N/mm'), ('damping ratio', '0.3', '–'))
+    (('spring rate', '22.73', 'N/mm'), ('damping ratio', '0.3000', '–'))
     """
     cells = []
     for label, value, si in rows:

@@ -35,7 +35,7 @@ def loops_before(rig: Rig, period: float) -> int:
     --------
     >>> import jounce as jn
     >>> loops_before(jn.load("kart-quarter-car"), 1.0)
-    2
+    3
     """
     poles = np.linalg.eigvals(linearise(rig).A)
     swinging = poles[np.abs(poles.imag) > _SWINGING * np.abs(poles)]
