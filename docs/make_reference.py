@@ -32,6 +32,7 @@ SUBJECTS = {
     "variants": "Many runs",
     "identify": "Identification and updating",
     "campaign": "Bench campaigns",
+    "analysis": "Analysis of records",
     "bench": "The bench",
     "testers": "Testers",
     "inspection": "Inspection of shock absorbers",
