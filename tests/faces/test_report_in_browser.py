@@ -252,7 +252,8 @@ def test_every_kind_of_page_is_opened_zoomed_and_played(
     kept = KEPT / f"{name}-{width}.png"
     if os.environ.get("JOUNCE_KEEP_PAGES"):
         seen.save(kept, optimize=True)
-    assert apart(seen, Image.open(kept)) < ALIKE
+    with Image.open(kept) as before:
+        assert apart(seen, before) < ALIKE
     has_player = page.evaluate("typeof jounce === 'object' && (jounce.players ?? []).length > 0")
     assert has_player == (name not in ("modes", "equivalence"))
     if has_player and width == 1400:

@@ -1,4 +1,4 @@
-"""A sweep as a page: every quantity at some poses, then extremes and curves."""
+"""A sweep as a page: extremes and curves, then every quantity at some poses."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def swept_page(found: Swept, *, title: str) -> Page:
         return recordings_page({title: found.data}, title=title, rig=found.rig).sections[number].blocks
 
     drawn = (Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1)))
-    return Page(title, (Section("Poses", poses_table(found)), *drawn), "Kinematic sweep")
+    return Page(title, (*drawn, Section("Poses", poses_table(found))), "Kinematic sweep")
 
 
 def poses_table(found: Swept) -> tuple[Block, ...]:
