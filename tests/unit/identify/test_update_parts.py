@@ -13,7 +13,6 @@ import jounce as jn
 from jounce.core.segments import CIRCLE, Segments
 from jounce.identify import update
 from jounce.identify.datum import QuietStart, _quiet_start, start_findings
-from jounce.identify.discrepancy import _stretch
 from jounce.identify.extended_rig import ONSET_VELOCITY, ExtendedRig, RideExtent, own_doubt
 from jounce.identify.fit_problem import FreeParameter, _weight, check_free, free_parameters
 from jounce.identify.search import Optimum, SearchOutcome
@@ -236,7 +235,7 @@ def test_tracks_are_made_higher_and_later(track: str) -> None:
         np.testing.assert_allclose(higher, (factor * value, factor * rate), rtol=1e-12, atol=1e-12)
     circle = Segments(np.array([0.0, 2.0]), np.array([CIRCLE]), np.array([[0.1, 1.5, 0.7, -1.0]]))
     np.testing.assert_allclose(circle.times(1.3).evaluate(time), 1.3 * np.array(circle.evaluate(time)), rtol=1e-12)
-    later = _stretch(given, 2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
+    later = given.stretched(2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
     np.testing.assert_allclose(later, (value, rate / 1.6), rtol=1e-9, atol=1e-9)
 
 
