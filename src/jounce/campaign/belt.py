@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Annotated, Literal
 
-import numpy as np
 import xarray as xr
 from pydantic import Field
 
@@ -17,7 +16,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.units import NonNegativeLength, PositiveLength, Unit
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import Passages, averaged_trial, find_passages
+from jounce.identify.passages import Passages, averaged_trial, find_passages, one_loop
 from jounce.recordings.pulses import PulseSpeed, pulse_speed
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Road
@@ -127,8 +126,7 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
     """
     if belt is None or road.recurrence is not None or road.is_course():
         return road
-    given = {name: getattr(road, name) for name in road.model_fields_set}
-    return type(road).model_validate({**given, "recurrence": belt.length})
+    return road.changed(recurrence=belt.length)
 
 
 def placed(
@@ -154,7 +152,7 @@ def placed(
         trial.measured, trial.rig, road, trial.trial.speed, sensors=trial.sensors, channels=channels, name=trial.name
     )
     if passage != "all":
-        found = _only(found, passage, trial, channels)
+        found = one_loop(found, trial.measured, passage, channels=channels, name=trial.name)
     if found.loop is None:
         raise FitError(
             "the obstacle passes only once in full",
@@ -196,29 +194,6 @@ def _speed_findings(noted: float | None, slip: float | None, found: Passages) ->
     return findings
 
 
-def _only(found: Passages, passage: int, trial: FitTrial, channels: list[str]) -> Passages:
-    """The same passages with the loop of one of them in place of the average."""
-    if not 1 <= passage <= len(found.times) - 1 or found.period is None:
-        raise FitError(
-            "no such passage",
-            where=f"{trial.name}: passage",
-            found=passage,
-            allowed=f"1 to {len(found.times) - 1}: those whose loop is whole",
-        )
-    first = found.times[passage - 1]
-    last = found.times[passage]
-    time = trial.measured["time"].to_numpy()
-    step = (time[-1] - time[0]) / (len(time) - 1)
-    from jounce.identify.passages import LEAD
-
-    begin = first - LEAD * found.period
-    count = max(round((last - first) / step), 8)
-    instants = begin + (last - first) / count * np.arange(count)
-    loop = trial.measured[channels].interp(time=instants, method="cubic", kwargs={"fill_value": "extrapolate"})
-    loop = loop.assign_coords(time=("time", instants - begin, {"units": "s"}))
-    return replace(found, loop=loop, scatter=None, repeatability={})
-
-
 def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[FitTrial, TrialOnBelt | None]:
     """Move the obstacle to where the record meets it; leave a trial alone whose record begins where the road says."""
     road, speed = trial.trial.road, trial.trial.speed
@@ -235,11 +210,7 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[F
     met, stated = found.times[0], road.start / speed
     if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
         return trial, None
-    start = max(met * speed, 0.0)
-    fields = {name: getattr(road, name) for name in road.model_fields_set}
-    moved = type(road).model_validate({**fields, "start": start})
-    given = {name: getattr(trial.trial, name) for name in trial.trial.model_fields_set}
-    driven = type(trial.trial).model_validate({**given, "road": moved})
+    driven = trial.trial.changed(road=road.changed(start=max(met * speed, 0.0)))
     facts = TrialOnBelt(
         noted,
         None,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import contextlib
 import io
 import json
@@ -16,12 +15,11 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
-from unicodedata import category
 
 from jounce.cli.tables import FittedTable
 from jounce.core.errors import JounceError
 from jounce.core.findings import DrawingError
-from jounce.core.text import visible
+from jounce.core.text import ESCAPES, encodable, visible
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -115,36 +113,13 @@ def make_streams_usable() -> None:
             setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
-            stream.reconfigure(errors=_ESCAPES)
+            stream.reconfigure(errors=ESCAPES)
     columns = os.environ.get("COLUMNS", "")
     if columns and not (columns.isdecimal() and len(columns) < 5 and _NARROWEST <= int(columns) <= _WIDEST):
         del os.environ["COLUMNS"]
 
 
 _NARROWEST, _WIDEST = 20, 1000  # characters of a line that can be read
-
-
-_ESCAPES = "jounce-escapes"
-
-
-def _escaped(error: UnicodeError) -> tuple[str, int]:
-    """Letters and digits, which make names, as Python writes them, or two files would look like one; signs as ``?``."""
-    assert isinstance(error, UnicodeEncodeError)
-    text = error.object[error.start : error.end]
-    written = (letter.encode("ascii", "backslashreplace").decode() for letter in text)
-    return "".join("?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)), error.end
-
-
-codecs.register_error(_ESCAPES, _escaped)
-
-
-def encodable(text: str, encoding: str) -> str:
-    """A text as a stream of an encoding shows it; bytes of a file's name that Python could not read are UTF-8."""
-    if text.isascii():
-        return text
-    with contextlib.suppress(UnicodeError):
-        text = text.encode("utf-8", "surrogateescape").decode()
-    return text if encoding.startswith("utf") else text.encode(encoding, _ESCAPES).decode(encoding)
 
 
 def lead_nowhere(stream: TextIO) -> None:

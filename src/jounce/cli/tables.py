@@ -9,6 +9,7 @@ from typing import Any
 
 from jounce.cli.everywhere import VIEW
 from jounce.core.tables import TextTable
+from jounce.core.text import encodable
 
 _LONG, _FIRST = 25, 20  # rows: longer tables are cut, to so many
 
@@ -19,8 +20,6 @@ class FittedTable(TextTable):
     def __rich_console__(self, _console: Any, options: Any) -> Iterator[Any]:
         """Print the title, the table, and how many rows are left out."""
         from rich.text import Text
-
-        from jounce.cli.reply import encodable
 
         rows = [[encodable(cell, options.encoding) for cell in row] for row in self.rows]  # before widths are measured
         fitted = replace(self, rows=rows)

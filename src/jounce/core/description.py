@@ -93,8 +93,12 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         kinds = type(self).model_fields
         if all(name in kinds and fits(value, kinds[name].annotation) for name, value in (update or {}).items()):
             return super().model_copy(update=update, deep=deep)
-        own = {name: getattr(self, name) for name in kinds if name in self.model_fields_set}
-        return type(self)(**{**own, **(update or {})})
+        return self.changed(**(update or {}))
+
+    def changed(self, **fields: Any) -> Self:
+        """Return a copy with other values, checked as a whole; what was left to its default stays so."""
+        own = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
+        return type(self)(**{**own, **fields})
 
     def __getstate__(self) -> dict[Any, Any]:
         """State with the same pickled bytes in every process: nothing derived, and no set of texts."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import codecs
+import contextlib
 import re
 from collections.abc import Iterable, Sequence
 from json import dumps as json_text
 from typing import Any
+from unicodedata import category
 
 # Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
 _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
@@ -20,6 +23,30 @@ def visible(text: str, *, json: bool = False) -> str:
     'spring\\x1b[2J 22 N/mm'
     """
     return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text)
+
+
+ESCAPES = "jounce-escapes"
+"""How a stream that is not Unicode shows what it cannot encode: name of the error handler."""
+
+
+def _escaped(error: UnicodeError) -> tuple[str, int]:
+    """Letters and digits, which make names, as Python writes them, or two files would look like one; signs as ``?``."""
+    assert isinstance(error, UnicodeEncodeError)
+    text = error.object[error.start : error.end]
+    written = (letter.encode("ascii", "backslashreplace").decode() for letter in text)
+    return "".join("?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)), error.end
+
+
+codecs.register_error(ESCAPES, _escaped)
+
+
+def encodable(text: str, encoding: str) -> str:
+    """A text as a stream of an encoding shows it; bytes of a file's name that Python could not read are UTF-8."""
+    if text.isascii():
+        return text
+    with contextlib.suppress(UnicodeError):
+        text = text.encode("utf-8", "surrogateescape").decode()
+    return text if encoding.startswith("utf") else text.encode(encoding, ESCAPES).decode(encoding)
 
 
 def quoted(text: str) -> str:

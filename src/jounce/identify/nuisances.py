@@ -64,8 +64,7 @@ class SearchedNuisance:
 
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
     """The sensor with a low pass of this corner (Hz)."""
-    given = {} if sensor is None else {name: getattr(sensor, name) for name in sensor.model_fields_set}
-    return Sensor.model_validate({**given, "low_pass": corner})
+    return (sensor or Sensor()).changed(low_pass=corner)
 
 
 def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: str) -> tuple[SearchedNuisance, ...]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -379,7 +380,7 @@ def _looped(
     time = np.asarray(data["time"].to_numpy(), dtype=float)
     step = float(time[-1] - time[0]) / (len(time) - 1)
     count = max(round(period / step), 8)
-    loops, begun = _cut_loops(data, names, time, times[:-1][whole == 1.0], periods[whole == 1.0], count, LEAD * period)
+    loops, begun = _cut_loops(data, names, time, times, period, count)
     if len(loops) < 2:
         return Passages(tuple(map(float, times)), likeness, speed, period, findings=tuple(findings))
     kept = _alike(loops)
@@ -390,15 +391,6 @@ def _looped(
         code = "identify.alternating_passages" if is_alternating else "identify.odd_passages"
         findings.append(finding(code, where, float(len(odd)), odd=listed, count=len(times)))
     mean, scatter = loops[kept].mean(axis=0), loops[kept].std(axis=0, ddof=1)
-    clock = np.arange(count) * (period / count)
-
-    def recorded(values: Array) -> xr.Dataset:
-        channels = {
-            name: (row, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", "")))
-            for name, row in zip(names, values, strict=True)
-        }
-        return recording_of(clock, channels, attributes={"passages": int(kept.sum())})
-
     size = np.sqrt(np.mean((mean - mean.mean(axis=1, keepdims=True)) ** 2, axis=1))
     spread = np.sqrt(np.mean(scatter**2, axis=1))
     repeat = {name: float(s / m) if m > 0.0 else math.inf for name, s, m in zip(names, spread, size, strict=True)}
@@ -407,8 +399,8 @@ def _looped(
         likeness,
         speed,
         period,
-        recorded(mean),
-        recorded(scatter),
+        _recorded(data, names, mean, period, passages=int(kept.sum())),
+        _recorded(data, names, scatter, period, passages=int(kept.sum())),
         repeat,
         odd,
         tuple(findings),
@@ -416,19 +408,55 @@ def _looped(
 
 
 def _cut_loops(
-    data: xr.Dataset, names: Sequence[str], time: Array, starts: Array, periods: Array, count: int, lead: float
-) -> tuple[Array, Array]:
-    """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and their numbers."""
+    data: xr.Dataset, names: Sequence[str], time: Array, times: Array, period: float, count: int
+) -> tuple[Array, np.ndarray]:
+    """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and where they begin.
+
+    A loop is whole where the record holds all of it and no passage was missed in it.
+    """
     from scipy.interpolate import CubicSpline
 
     signals = CubicSpline(time, np.stack([data[name].to_numpy() for name in names], axis=1))
     loops, numbers = [], []
-    for number, (start, period) in enumerate(zip(starts, periods, strict=True)):
-        begin = start - lead
-        if begin >= time[0] and begin + period <= time[-1]:
-            loops.append(signals(begin + period * np.arange(count) / count).T)
+    for number, (begin, own) in enumerate(zip(times[:-1] - LEAD * period, np.diff(times), strict=True)):
+        if round(own / period) == 1 and begin >= time[0] and begin + own <= time[-1]:
+            loops.append(signals(begin + own * np.arange(count) / count).T)
             numbers.append(number)
     return np.array(loops), np.array(numbers, dtype=int)
+
+
+def one_loop(found: Passages, measured: xr.Dataset, number: int, *, channels: Sequence[str], name: str) -> Passages:
+    """Give the same passages with the loop of one of them (counted from 1) in place of the average.
+
+    Raises
+    ------
+    FitError
+        Where the loop of this passage is not whole.
+    """
+    time = np.asarray(measured["time"].to_numpy(), dtype=float)
+    period = found.period or float(time[-1] - time[0])
+    count = max(round(period * (len(time) - 1) / float(time[-1] - time[0])), 8)
+    loops, begun = _cut_loops(measured, channels, time, np.array(found.times), period, count)
+    whole = [int(k) + 1 for k in begun]
+    if number not in whole:
+        raise FitError(
+            "no loop of this passage is recorded in full",
+            where=f"{name}: passage",
+            found=number,
+            allowed=", ".join(map(str, whole)) or "none",
+        )
+    loop = _recorded(measured, channels, loops[whole.index(number)], period)
+    return replace(found, loop=loop, scatter=None, repeatability={})
+
+
+def _recorded(data: xr.Dataset, names: Sequence[str], values: Array, period: float, **attributes: Any) -> xr.Dataset:
+    """A loop as a recording: one row for each channel."""
+    channels = {
+        name: (row, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", "")))
+        for name, row in zip(names, values, strict=True)
+    }
+    clock = np.arange(values.shape[1]) * (period / values.shape[1])
+    return recording_of(clock, channels, attributes=attributes)
 
 
 def _alike(loops: Array) -> np.ndarray:

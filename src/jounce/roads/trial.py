@@ -422,12 +422,10 @@ class Trial(Description):
         """
         if self.speed is None:
             return self
-        given = {name: getattr(self, name) for name in self.model_fields_set}
         if self.speeds is not None:
             faster = [factor * speed for speed in self.speeds.speed]
-            given |= {"speeds": SpeedOverTime(time=self.speeds.time, speed=faster)}
-            return Trial.model_validate({name: value for name, value in given.items() if name != "speed"})
-        return Trial.model_validate({**given, "speed": factor * self.speed})
+            return self.changed(speeds=SpeedOverTime(time=self.speeds.time, speed=faster), speed=None)
+        return self.changed(speed=factor * self.speed)
 
     def _default_duration(self) -> float:
         if self.excitation is None:

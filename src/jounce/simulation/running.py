@@ -112,12 +112,10 @@ def _count(start: Start) -> int:
 def _begun_earlier(trial: Trial, earlier: float, loops: int) -> Trial:
     """The trial begun ``earlier`` (s), its obstacles where they are when the loops are over."""
     assert trial.speed is not None
-    given = {name: getattr(trial, name) for name in trial.model_fields_set}
-    given["duration"] = trial.duration + earlier
+    given: dict[str, Any] = {"duration": trial.duration + earlier}
     for name in ("road", "right"):
         road: Road | None = getattr(trial, name)
         if road is not None and road.recurrence is not None:
             moved = road.start + trial.speed * earlier - loops * road.recurrence
-            fields = {key: getattr(road, key) for key in road.model_fields_set}
-            given[name] = type(road).model_validate({**fields, "start": max(moved, 0.0)})
-    return Trial.model_validate(given)
+            given[name] = road.changed(start=max(moved, 0.0))
+    return trial.changed(**given)

@@ -9,7 +9,7 @@ import xarray as xr
 import jounce as jn
 from jounce.core.errors import FitError
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import averaged_trial, find_passages, running_trial
+from jounce.identify.passages import LEAD, averaged_trial, find_passages, one_loop, running_trial
 from jounce.recordings import Sensor
 from jounce.simulation.running import loops_before
 
@@ -31,8 +31,7 @@ def record(road: jn.Road, speed: float, *, begin: float = 3.3, duration: float =
 
 
 def on_belt(road: jn.Road) -> jn.Road:
-    fields = {name: getattr(road, name) for name in road.model_fields_set}
-    return type(road).model_validate({**fields, "recurrence": BELT})
+    return road.changed(recurrence=BELT)
 
 
 @pytest.mark.parametrize("speed", [1.95, 2.86, 3.87])
@@ -159,3 +158,43 @@ def test_an_averaged_trial_explains_its_record() -> None:
     assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=2e-3)
     with pytest.raises(FitError, match="no loop of a belt"):
         averaged_trial(trial, find_passages(data.sel(time=slice(0.0, 0.45)), right, ONE, 3.87))
+
+
+def test_one_loop_is_that_of_the_record() -> None:
+    measured, road = record(on_belt(ONE), 1.95), on_belt(ONE)
+    found = find_passages(measured, RIG, road, 1.95)
+    loop = one_loop(found, measured, 2, channels=["sprung.az", "unsprung.az"], name="trial 1").loop
+    assert loop is not None
+    assert found.period is not None
+    begin = found.times[1] - LEAD * found.period
+    own = (found.times[2] - found.times[1]) / found.period  # the loop is brought to the mean period
+    instants = begin + own * loop["time"].to_numpy()
+    expected = np.interp(instants, measured["time"], measured["sprung.az"])
+    np.testing.assert_allclose(loop["sprung.az"], expected, atol=0.6)  # straight lines between samples with noise
+    assert np.corrcoef(loop["sprung.az"], expected)[0, 1] > 0.995
+
+
+def test_a_loop_that_begins_before_the_record_is_refused() -> None:
+    measured, road = record(on_belt(ONE), 1.95), on_belt(ONE)
+    found = find_passages(measured, RIG, road, 1.95)
+    assert found.period is not None
+    late = measured.sel(time=slice(found.times[0] - 0.5 * LEAD * found.period, None))
+    with pytest.raises(FitError, match="no loop of this passage is recorded in full; found 1; allowed: 2, 3"):
+        one_loop(found, late, 1, channels=["sprung.az"], name="trial 1")
+    with pytest.raises(FitError, match="found 99; allowed: 1, 2"):
+        one_loop(found, measured, 99, channels=["sprung.az"], name="trial 1")
+
+
+def test_a_missed_passage_does_not_shift_the_numbers_of_the_others() -> None:
+    road = on_belt(ONE)
+    measured = record(road, 2.86, duration=6.0)
+    found = find_passages(measured, RIG, road, 2.86)
+    time = measured["time"].to_numpy()
+    hidden, strange = (np.abs(time - found.times[k] - 0.1) < 0.25 for k in (2, 5))
+    for name in ("sprung.az", "unsprung.az"):
+        measured[name][hidden] = 0.0
+        measured[name][strange] *= 1.6
+    again = find_passages(measured, RIG, road, 2.86)
+    assert len(again.times) == len(found.times) - 1
+    assert again.times[4] == pytest.approx(found.times[5], abs=0.02)
+    assert again.odd == (5,)  # the strange one is the sixth that came and the fifth that was found
