@@ -229,3 +229,48 @@ def test_an_fmu_lists_what_can_be_connected(cli, tmp_path: Path) -> None:
     outcome = cli("check", "law.toml", "--json")
     assert outcome.exit_code == 2
     assert "it holds sources only" in outcome.err
+
+
+LABORATORY = """schema = "jounce.laboratory/1"
+sprung_mass = "16 kg"
+unsprung_mass = "5 kg"
+obstacle = {height = "10 mm", length = "60 mm"}
+trials = "trials.csv"
+[channels]
+ch0 = {measures = "sprung.az", sensitivity = "100 mV/g"}
+"""
+
+
+@pytest.fixture
+def laboratory(tmp_path: Path) -> Path:
+    (tmp_path / "trials.csv").write_text("trial,speed [m/s]\n1,1.95\n2,2.86\n", encoding="utf-8")
+    file = tmp_path / "laboratory.toml"
+    file.write_text(LABORATORY, encoding="utf-8")
+    return file
+
+
+def test_settings_of_a_laboratory(cli, laboratory: Path) -> None:
+    outcome = cli("check", laboratory, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    (item,) = outcome.json["files"]
+    assert item["kind"] == "laboratory"
+    assert item["what"] == "settings of a laboratory: obstacle of 10 mm by 60 mm; channels sprung.az; 2 trials"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('"100 mV/g"', '"100 mV"', "laboratory.toml, line 7: channels.ch0.sensitivity: not a sensitivity"),
+        ('"sprung.az"', '"body.q"', "laboratory.toml, line 7: channels.ch0.measures: 'body.q' names no known"),
+        ('"10 mm"', '"10 N"', "laboratory.toml, line 4: obstacle.height: wrong unit"),
+        ('sprung_mass = "16 kg"', "", "laboratory.toml: sprung_mass and unsprung_mass are missing"),
+        ('sprung_mass = "16 kg"', 'rig = "kart-quater-car"', "laboratory.toml: rig: no such file and no shipped rig"),
+        ('"trials.csv"', '"table.csv"', "table.csv: no such file"),
+        ("trials", "trails", "laboratory.toml, line 5: trails: unknown key"),
+    ],
+)
+def test_broken_laboratories(old: str, new: str, message: str, cli, laboratory: Path) -> None:
+    laboratory.write_text(LABORATORY.replace(old, new, 1), encoding="utf-8")
+    outcome = cli("check", laboratory)
+    assert outcome.exit_code == 2
+    assert message in outcome.err

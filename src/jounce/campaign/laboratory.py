@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from jounce.campaign.belt import Belt
-from jounce.core.description import Description, Whole, read_description
+from jounce.core.description import Description, Whole, misplaced, read_description
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.units import Mass, PositiveHeight, PositiveLength, Unit, to_si
 from jounce.recordings.conditioning import sensitivity_of
@@ -32,6 +32,17 @@ class CardChannel(Sensor):
     """A channel of the acquisition card: what it measures, and the chain of its sensor."""
 
     measures: str
+
+    @model_validator(mode="after")
+    def _measures_something(self) -> CardChannel:
+        if not quantity_of(self.measures):
+            raise misplaced(("measures",), f"{self.measures!r} names no known quantity, as sprung.az does")
+        if self.sensitivity:
+            try:
+                sensitivity_of(self.sensitivity, channel_unit(self.measures), where="")
+            except DescriptionError as error:
+                raise misplaced(("sensitivity",), str(error)) from None
+        return self
 
 
 class Laboratory(Description):
@@ -70,15 +81,10 @@ class Laboratory(Description):
     def _complete(self) -> Laboratory:
         if not self.rig and (self.sprung_mass is None or self.unsprung_mass is None):
             raise ValueError("sprung_mass and unsprung_mass are missing; weigh both, or name a rig")
-        for column, channel in self.channels.items():
-            if not quantity_of(channel.measures):
-                raise ValueError(f"channels.{column}: {channel.measures!r} names no known quantity, as sprung.az does")
-            if channel.sensitivity:
-                sensitivity_of(channel.sensitivity, channel_unit(channel.measures), where=f"channels.{column}")
         measured = [channel.measures for channel in self.channels.values()]
         twice = {name for name in measured if measured.count(name) > 1}
         if twice:
-            raise ValueError(f"channels: {min(twice)} is measured twice")
+            raise misplaced(("channels",), f"{min(twice)} is measured twice")
         return self
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+from jounce.core.files import existing_file
 
 if TYPE_CHECKING:
     from jounce.control import FmuVariable
@@ -260,6 +261,25 @@ def _check_campaign(check: FileCheck) -> None:
                 bench.decay.read(file, folder)
 
 
+def _check_laboratory(check: FileCheck) -> None:
+    """Settings of a laboratory, with the rig and the table of trials that they name."""
+    from jounce.campaign.laboratory import load_laboratory, read_trials
+    from jounce.parts import load
+    from jounce.parts.files import rig_named_in
+
+    laboratory = load_laboratory(check.file)
+    measured = ", ".join(channel.measures for channel in laboratory.channels.values())
+    obstacle = f"obstacle of {1e3 * laboratory.obstacle.height:g} mm by {1e3 * laboratory.obstacle.length:g} mm"
+    check.what = f"settings of a laboratory: {obstacle}; channels {measured or 'none'}"
+    if laboratory.rig:
+        with check.step():
+            load(rig_named_in(laboratory.rig, check.file))
+    if laboratory.trials:
+        with check.step():
+            count = len(read_trials(existing_file(check.file.parent / laboratory.trials, RecordingError)))
+            check.what += f"; {count} trial{'' if count == 1 else 's'}"
+
+
 def _check_truth(check: FileCheck) -> None:
     from jounce.campaign import load_truth
 
@@ -301,6 +321,7 @@ _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
     "jounce.campaign/1": _check_campaign,
+    "jounce.laboratory/1": _check_laboratory,
     "jounce.truth/1": _check_truth,
     "jounce.road/1": _check_road,
     "jounce.control/1": _check_control,
