@@ -19,6 +19,7 @@ import yaml
 import jounce
 from jounce.cli import main
 from jounce.core.kinds import Rows
+from jounce.web.command import serve  # noqa: F401 - its import adds `jounce serve`, as in the program
 from rules.schemas import schema_problems
 
 ROOT = Path(__file__).parents[2]
