@@ -44,7 +44,7 @@ from jounce.inspection.archive.history import Trend
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import NUMBERS as WHEEL_NUMBERS
-from jounce.inspection.quantities import Quantity as GradedQuantity
+from jounce.inspection.quantities import WheelQuantity
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity
@@ -61,7 +61,7 @@ from jounce.roads.loading import SCHEMA
 from jounce.roads.trial import Trial
 from jounce.variants.study import SweepStudy
 from jounce.web import command as _workbench  # noqa: F401 - it adds its command
-from jounce.web.forms import Form, Problem
+from jounce.web.forms import Form, FormProblem
 from jounce.web.project import Entry, Text, Version
 
 DOCS = Path(__file__).parent
@@ -171,7 +171,7 @@ def limits_schema() -> dict[str, Any]:
     definitions = schema["$defs"]
     for side in ("from", "to"):
         edge = {"type": ["number", "string"], "description": "with a unit, or bare: SI, degrees for angles; none: open"}
-        definitions["Band"]["properties"][side] = edge
+        definitions["VerdictBand"]["properties"][side] = edge
     for name in ("Criterion", "Condition", "DifferenceCriterion"):
         definitions[name]["properties"]["quantity"]["enum"] = list(QUANTITIES)
     return {"$schema": DIALECT, **schema, "title": "jounce limits file"}
@@ -325,7 +325,7 @@ def page_quantities() -> str:
 
 
 ANSWERS = PAGE_QUANTITIES.with_name("answers.ts")
-ANSWERED = (Entry, Text, Version, Problem, Form, Identifiability, UpdatedParameter, ParetoFront, Trend)
+ANSWERED = (Entry, Text, Version, FormProblem, Form, Identifiability, UpdatedParameter, ParetoFront, Trend)
 
 
 def page_answers() -> str:
@@ -484,7 +484,7 @@ def _kinds_of(base: type[Joint]) -> list[type[Joint]]:
     return [one for one in found if one.kind]
 
 
-def _graded(row: GradedQuantity) -> str:
+def _graded(row: WheelQuantity) -> str:
     return f"{row.english} `{row.name}`" + (f" [{row.unit}]" if row.unit else "")
 
 

@@ -12,16 +12,16 @@ from jounce.inspection import read_record
 from jounce.inspection.archive.entries import unpack
 from jounce.inspection.archive.store import Store
 from jounce.inspection.limits import shipped_limits
-from jounce.inspection.quarter_car import Corner, force_response, road_poles, steady_state, wheel_damping
+from jounce.inspection.quarter_car import LinearQuarterCar, force_response, road_poles, steady_state, wheel_damping
 from jounce.parts.testers import load_tester
 
 RATE, HOLD, SLOPE, PLATE_MASS = 1000.0, 2.0, 2.5, 20.0
-SOUND, WORN = Corner(330.0, 36.0, 22e3, 1300.0, 210e3), Corner(330.0, 36.0, 22e3, 380.0, 190e3)
+SOUND, WORN = LinearQuarterCar(330.0, 36.0, 22e3, 1300.0, 210e3), LinearQuarterCar(330.0, 36.0, 22e3, 380.0, 190e3)
 ROWS = "\n".join(f"{i / 1000}, {i % 7}, {i % 11}" for i in range(50))
-LIGHT = Corner(230.0, 32.0, 18e3, 1100.0, 240e3)
+LIGHT = LinearQuarterCar(230.0, 32.0, 18e3, 1100.0, 240e3)
 
 
-def plate(corner: Corner) -> tuple[np.ndarray, np.ndarray]:
+def plate(corner: LinearQuarterCar) -> tuple[np.ndarray, np.ndarray]:
     """Plate height (m) and plate force (N) of one wheel by its linear response, with the plate's inertia."""
     time = np.arange(int((HOLD + 25.0 / SLOPE + 0.8) * RATE)) / RATE - 0.4
     fall = np.clip(time - HOLD, 0.0, 25.0 / SLOPE)
@@ -36,7 +36,7 @@ def plate(corner: Corner) -> tuple[np.ndarray, np.ndarray]:
     return height, corner.static_load + force
 
 
-def write(name: str, left: Corner, right: Corner, axle: str = "front") -> Path:
+def write(name: str, left: LinearQuarterCar, right: LinearQuarterCar, axle: str = "front") -> Path:
     (zl, fl), (zr, fr) = plate(left), plate(right)
     still = np.zeros(zl.size)
     columns = [

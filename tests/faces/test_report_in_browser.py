@@ -18,14 +18,14 @@ from jounce.papers.audi_a6 import run_audi_a6
 from jounce.report import (
     REPORTS,
     Page,
+    PageTable,
     Paragraph,
     Section,
-    Table,
     recordings_page,
     write_campaign,
     write_page,
 )
-from jounce.report.live import Curve, Pane, Scene, Viewer
+from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 from jounce.report.papers import audi_case_page
 
 pytestmark = pytest.mark.pages
@@ -411,9 +411,9 @@ def test_on_a_phone_the_first_column_stays_and_axes_can_be_read(browser: Any, re
 def test_texts_are_never_markup(browser: Any, tmp_path: Path) -> None:
     x = np.linspace(0.0, 1.0, 50)
     pane = Pane(HOSTILE, HOSTILE, HOSTILE, (Curve(HOSTILE, "measured", x), Curve("</script><b>", "before", np.sin(x))))
-    scenes = tuple(Scene(name, HOSTILE, x, (pane, pane), HOSTILE) for name in ("one", "two"))
+    scenes = tuple(ViewerScene(name, HOSTILE, x, (pane, pane), HOSTILE) for name in ("one", "two"))
     viewer = Viewer(HOSTILE, scenes, (("measured", HOSTILE, True), ("before", "漢字" * 150, True)))
-    table = Table(HOSTILE, (HOSTILE,), ((HOSTILE,),))
+    table = PageTable(HOSTILE, (HOSTILE,), ((HOSTILE,),))
     blocks = (viewer, table, Paragraph("</script><script>document.title=2</script>"))
     write_page(Page(HOSTILE, (Section(HOSTILE, blocks),)), tmp_path / "out")
     for width in (390, 1400):
@@ -447,7 +447,7 @@ def test_missing_and_infinite_values_are_gaps(browser: Any, tmp_path: Path) -> N
     x = np.linspace(0.0, 1.0, 101)
     values = np.where(x < 0.5, x, np.nan)
     values[3] = np.inf
-    scene = Scene("one", "one", x, (Pane("a", "a", "mm", (Curve("a", "measured", values),)),))
+    scene = ViewerScene("one", "one", x, (Pane("a", "a", "mm", (Curve("a", "measured", values),)),))
     write_page(Page("t", (Section("s", (Viewer("t", (scene,), (("measured", "a", True),)),)),)), tmp_path / "out")
     opened = Opened(browser, tmp_path / "out" / "report.html")
     for time, text in ((0.25, "0.2500"), (0.75, "–"), (0.03, "–")):

@@ -14,7 +14,7 @@ import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.core.workbooks import CONTROL
 from jounce.plots.figures import rendered
-from jounce.report.page import Page, Section, Table
+from jounce.report.page import Page, PageTable, Section
 from jounce.report.render import write_page
 
 SIGNS = ("\x00", "\x07", "\x0b", "\x1b", "\ufffe", "\uffff", "\ud800")
@@ -36,7 +36,7 @@ def test_pictures(sign: str) -> None:
 def test_pages_with_their_tables(tmp_path, sign: str) -> None:
     pytest.importorskip("openpyxl")
     pytest.importorskip("typst")
-    table = Table(f"of {sign}", ("name", f"value {sign}"), ((f"a{sign}b", "1"),))
+    table = PageTable(f"of {sign}", ("name", f"value {sign}"), ((f"a{sign}b", "1"),))
     page = Page(f"title {sign}", (Section(f"heading {sign}", (table,)),), banner=f"banner {sign}")
     files = write_page(page, tmp_path / "out", tables=("csv", "xlsx"), pdf=True)
     html = next(file for file in files if file.suffix == ".html").read_text(encoding="utf-8")

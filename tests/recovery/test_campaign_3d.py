@@ -20,7 +20,7 @@ from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
 from jounce.report.campaign import lumped as lumped_section
-from jounce.report.page import Table
+from jounce.report.page import PageTable
 
 KART = jn.load("kart-double-wishbone")
 TRUTH = {"strut.spring.rate": 23.9e3, "strut.damper.coefficient": 139.0, "tyre.stiffness": 131e3}
@@ -284,7 +284,7 @@ def test_report_says_where_the_lumped_model_differs(shipped):
     plain = shipped.to_dict()["lumped"]
     assert {"rows", "peaks", "lumping", "lumped", "travel", "motion_ratio", "wheel_rate"} <= plain.keys()
     section = lumped_section(found)
-    tables = [block for block in section.blocks if isinstance(block, Table)]
+    tables = [block for block in section.blocks if isinstance(block, PageTable)]
     assert [len(table.rows) for table in tables] == [11, 3, 48]
     assert all(len(row) == len(table.header) for table in tables for row in table.rows)
 

@@ -11,7 +11,7 @@ import numpy as np
 import plate_twin
 import pytest
 
-from jounce.inspection import Corner, evaluate, force_response, steady_state
+from jounce.inspection import LinearQuarterCar, evaluate, force_response, steady_state
 from jounce.inspection.methods import half_power, plate_gain, theta_by_amplification
 from jounce.inspection.quarter_car import rig_poles, road_poles, wheel_damping
 from jounce.parts.testers import load_tester
@@ -47,9 +47,9 @@ def twin():
     return plate_twin
 
 
-def car(damping: float, **changes) -> Corner:
+def car(damping: float, **changes) -> LinearQuarterCar:
     values = {"sprung_mass": 400.0, "unsprung_mass": 40.0, "spring_rate": 25e3, "tyre_stiffness": 200e3} | changes
-    return Corner(damping_coefficient=damping, **values)
+    return LinearQuarterCar(damping_coefficient=damping, **values)
 
 
 def record_of(time, height, force, load):
@@ -154,7 +154,7 @@ def test_stiffer_plate_spring():
 def test_paper_2_car_on_a_eusama_plate():
     """Table 1 (460 kg, 38 N/mm, 2 N s/mm, 300 N/mm; 45 kg assumed): 72.5 % at 16.6 Hz; undamped tyre 62.7 % at 14.6."""
     for tyre, adhesion, at in ((1000.0, 72.5, 16.6), (0.0, 62.7, 14.6)):
-        found = steady_state(Corner(460.0, 45.0, 38e3, 2000.0, 300e3, tyre))
+        found = steady_state(LinearQuarterCar(460.0, 45.0, 38e3, 2000.0, 300e3, tyre))
         assert 100.0 * found.adhesion == pytest.approx(adhesion, abs=0.06)
         assert found.adhesion_frequency_hz == pytest.approx(at, abs=0.06)
 
@@ -162,7 +162,7 @@ def test_paper_2_car_on_a_eusama_plate():
 def test_closed_form_equals_the_simulated_steady_state(twin):
     """A plate held at the worst frequency for 12 s: the least force of the last turns, to 1e-4 of the load."""
     for wheel in (twin.Car(), twin.Car(c=1800.0, kt=260e3)):
-        closed = steady_state(Corner(wheel.ms, wheel.mu, wheel.k, wheel.c, wheel.kt))
+        closed = steady_state(LinearQuarterCar(wheel.ms, wheel.mu, wheel.k, wheel.c, wheel.kt))
         held = twin.Programme(start=closed.adhesion_frequency_hz, end=1.0, hold=12.0, rest=0.0)
         _, _, _, force = twin.rigid_record(wheel, held, sample_rate=4000.0, fine=8)
         least = force[10 * 4000 : 12 * 4000].min() / wheel.static_load

@@ -29,8 +29,7 @@ from jounce.identify.motion import TRANSLATION, MeasuredMotion, MotionName
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
-from jounce.inspection.quarter_car import Corner as TwoMasses
-from jounce.inspection.quarter_car import road_poles, road_polynomial
+from jounce.inspection.quarter_car import LinearQuarterCar, road_poles, road_polynomial
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import with_strut_angle
@@ -504,7 +503,7 @@ class _AtWheel:
     def swing(self, damping: float) -> tuple[float, float]:
         """What one mass that swings as the body does with a damping (N s/m) at the wheel is held by: N s/m, N/m."""
         masses = self.sprung_mass, self.unsprung_mass
-        poles = road_poles(TwoMasses(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
+        poles = road_poles(LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
         upper = poles[poles.imag > 1e-6 * np.abs(poles)]
         if not upper.size:
             return math.nan, math.nan
@@ -556,7 +555,9 @@ class _AtWheel:
         """Characteristic polynomial on the road without damping at the wheel, and what 1 N s/m adds to it."""
         masses = self.sprung_mass, self.unsprung_mass
         without, with_one = (
-            Polynomial(road_polynomial(TwoMasses(*masses, self.wheel_rate, c, self.tyre_rate, self.tyre_damping))[::-1])
+            Polynomial(
+                road_polynomial(LinearQuarterCar(*masses, self.wheel_rate, c, self.tyre_rate, self.tyre_damping))[::-1]
+            )
             for c in (0.0, 1.0)
         )
         return without, with_one - without

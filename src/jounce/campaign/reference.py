@@ -68,7 +68,7 @@ class Reference(Description):
 
 
 @dataclass(frozen=True)
-class Compared(Shown):
+class ReferenceComparison(Shown):
     """One published statement beside ours.
 
     Attributes
@@ -90,16 +90,20 @@ class Compared(Shown):
     follows: str
 
 
-def beside_reference(result: CampaignResult) -> list[Compared]:
+def beside_reference(result: CampaignResult) -> list[ReferenceComparison]:
     """Set a campaign's results beside the published ones that it states; nothing without a table ``[reference]``."""
     reference = result.campaign.reference
     if reference is None:
         return []
-    rows: list[Compared] = []
+    rows: list[ReferenceComparison] = []
     for told in reference.update:
         strategy = next((item for item in result.strategies if item.update.name == told.update), None)
         if strategy is None:
-            rows.append(Compared(told.update, "", "not run", "not comparable", "The update failed or was not chosen."))
+            rows.append(
+                ReferenceComparison(
+                    told.update, "", "not run", "not comparable", "The update failed or was not chosen."
+                )
+            )
         else:
             rows += _of_update(told, strategy)
     if reference.best_speeds:
@@ -107,7 +111,7 @@ def beside_reference(result: CampaignResult) -> list[Compared]:
     return rows
 
 
-def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[Compared]:
+def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[ReferenceComparison]:
     name, update = told.update, strategy.update
     if told.reduction is not None:
         ours = update.reduction_percent / 100.0
@@ -133,7 +137,9 @@ def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[Comp
         unit = unit_of(strategy.knowledge.rig, path) if path in strategy.knowledge.rig.parameters() else "1"
         value = to_si(given, unit, where=f"reference.update.parameters: {path}")
         if found is None:
-            yield Compared(f"{name}: {path}", f"{value:.4g} {unit}", "–", "not comparable", "It was not free here.")
+            yield ReferenceComparison(
+                f"{name}: {path}", f"{value:.4g} {unit}", "–", "not comparable", "It was not free here."
+            )
             continue
         low, high = _interval(strategy, path)
         agrees = low <= value <= high
@@ -143,8 +149,8 @@ def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[Comp
         yield _compared(f"{name}: {path}", f"{value:.4g} {unit}", f"{low:.4g} to {high:.4g} {unit}", agrees, follows)
 
 
-def _compared(what: str, published: str, ours: str, agrees: bool, follows: str) -> Compared:
-    return Compared(what, published, ours, "reproduced" if agrees else "not reproduced", follows)
+def _compared(what: str, published: str, ours: str, agrees: bool, follows: str) -> ReferenceComparison:
+    return ReferenceComparison(what, published, ours, "reproduced" if agrees else "not reproduced", follows)
 
 
 def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
@@ -162,7 +168,7 @@ def _represented(strategy: StrategyResult) -> set[str]:
     return {name for name in channels if all(after.channels[name].r2 >= REPRESENTED for after in fitted)}
 
 
-def _of_speeds(published: tuple[float, ...], result: CampaignResult) -> Compared:
+def _of_speeds(published: tuple[float, ...], result: CampaignResult) -> ReferenceComparison:
     """The trials of a single obstacle that the model predicts best, as many as were published."""
     usable = [trial for trial in result.trials if trial.after is not None and trial.obstacle_pitch is None]
     usable = [trial for trial in usable if trial.entry.speed is not None]
@@ -172,7 +178,9 @@ def _of_speeds(published: tuple[float, ...], result: CampaignResult) -> Compared
     said = ", ".join(f"{speed:.2f} m/s" for speed in published)
     ours = ", ".join(f"{speed:.2f} m/s" for speed in best) or "–"
     if not best:
-        return Compared("best speeds", said, ours, "not comparable", "No trial of a single obstacle was usable.")
+        return ReferenceComparison(
+            "best speeds", said, ours, "not comparable", "No trial of a single obstacle was usable."
+        )
     follows = "By the largest NRMSE of a channel, over the trials of a single obstacle."
     return _compared("best speeds", said, ours, len(near) == len(published), follows)
 

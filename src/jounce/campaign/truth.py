@@ -56,7 +56,7 @@ class StandingTyre(Description):
     loss: _Share = 0.0
 
 
-class Belt(Description):
+class BeltImperfections(Description):
     """What the wheel meets beside the obstacle's shape.
 
     Attributes
@@ -102,7 +102,7 @@ class BenchTruth(Description):
         What the test machine adds to the tyre.
     obstacle : Road
         The obstacle as it is; of a train each one. Its ``start`` is where the first stands.
-    belt : Belt
+    belt : BeltImperfections
         Contact patch, slowing belt, errors of speed and trigger.
     sensors : dict of str to Sensor
         The channels that are recorded, each through its measuring chain.
@@ -126,7 +126,7 @@ class BenchTruth(Description):
     tyre: dict[str, Annotated[tuple[Number, ...], Field(min_length=1, max_length=9)]] = {}
     standing_tyre: StandingTyre = StandingTyre()
     obstacle: Road = HalfSine(height=0.010, length=0.060, start=0.2)
-    belt: Belt = Belt()
+    belt: BeltImperfections = BeltImperfections()
     sensors: dict[str, Sensor] = Field(
         default={"sprung.az": Sensor(), "unsprung.az": Sensor()}, min_length=1, validate_default=True
     )

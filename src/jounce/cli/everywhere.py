@@ -17,14 +17,14 @@ from jounce.core.display import shown_in, use_units
 
 
 @dataclass
-class View:
+class DisplayOptions:
     """How the answer of one command is shown."""
 
     every_row: bool = False  # of tables that a terminal would not hold
     opens: bool = False  # the page that is written
 
 
-VIEW = View()
+VIEW = DisplayOptions()
 _PANEL = "Everywhere"
 
 

@@ -63,7 +63,7 @@ Missing = Sequence["Finding"]
 
 
 @dataclass(frozen=True)
-class Output:
+class OutputKind:
     """A way to write a result: its option, the type and help of that, what refuses a file, and what writes it."""
 
     option: str
@@ -168,43 +168,43 @@ def _report(answered: Answered, file: Path, force: bool) -> Missing:
     return write_report(answered.page, file, force=force)[1]
 
 
-OUTPUTS: Mapping[str, Output] = {
-    "rig": Output("out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig),
-    "changed_rig": Output(
+OUTPUTS: Mapping[str, OutputKind] = {
+    "rig": OutputKind("out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig),
+    "changed_rig": OutputKind(
         "out",
         _out("Write the changed rig, with its comments: RIG.toml."),
         lambda file, force: check_outputs(rig=file, force=force),
         _changed_rig,
     ),
-    "rig_text": Output(
+    "rig_text": OutputKind(
         "out",
         _out("Write the rig with what was measured, RIG.toml."),
         lambda file, force: check_outputs(rig=file, force=force),
         _rig_text,
     ),
-    "recording": Output(
+    "recording": OutputKind(
         "out",
         _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet or .xlsx."),
         lambda file, force: check_outputs(recording=file, force=force),
         _recording,
     ),
-    "numbers": Output("out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers),
-    "sweep": Output("out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep),
-    "table": Output("out", _out("Write every number: .csv (SI)."), _check_table, _table),
-    "figure": Output("figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure),
-    "figures": Output(
+    "numbers": OutputKind("out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers),
+    "sweep": OutputKind("out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep),
+    "table": OutputKind("out", _out("Write every number: .csv (SI)."), _check_table, _table),
+    "figure": OutputKind("figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure),
+    "figures": OutputKind(
         "figure",
         Annotated[Path | None, typer.Option(metavar="DIR", help="Draw everything into this folder.")],
         lambda file, force: check_outputs(folder=file, force=force),
         _figures,
     ),
-    "folder": Output(
+    "folder": OutputKind(
         "out",
         _out("Write report, rigs, results, tables and pictures into this folder.", "DIR"),
         lambda file, force: check_outputs(folder=file, force=force),
         _folder,
     ),
-    "report": Output("report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report),
+    "report": OutputKind("report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report),
 }
 """What an operation may offer (`jounce.core.operation.Offer`)."""
 

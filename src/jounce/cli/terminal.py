@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from jounce.cli.reply import show_findings
 from jounce.cli.tables import FittedTable
-from jounce.report.page import Bullets, Cell, Facts, Findings, Paragraph, Subsection, Table, alignments
+from jounce.report.page import Bullets, Cell, Facts, Findings, PageTable, Paragraph, Subsection, alignments
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -29,7 +29,7 @@ def show_page(out: Console, page: Page) -> None:
 
 def _show_blocks(out: Console, blocks: Sequence[Block]) -> None:
     for block in blocks:
-        if isinstance(block, Table):
+        if isinstance(block, PageTable):
             rows = [[_text(cell) for cell in row] for row in block.rows]
             texts = [k for k, side in enumerate(alignments(block)) if side == "left"]
             out.print(FittedTable(block.caption, block.header, rows, texts))

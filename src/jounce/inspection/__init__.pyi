@@ -7,7 +7,7 @@ from .grading import grade as grade
 from .grading import grade_vehicle as grade_vehicle
 from .limits import Limits as Limits
 from .limits import load_limits as load_limits
-from .quarter_car import Corner as Corner
+from .quarter_car import LinearQuarterCar as LinearQuarterCar
 from .quarter_car import SteadyState as SteadyState
 from .quarter_car import force_response as force_response
 from .quarter_car import steady_state as steady_state

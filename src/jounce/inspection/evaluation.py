@@ -45,7 +45,7 @@ _EXCITER = 0.3
 
 
 @dataclass(frozen=True)
-class _Task:
+class _RecordTask:
     """What is the same for all wheels of a record."""
 
     tester: Tester | None
@@ -176,7 +176,7 @@ def require_gradable(inspection: Inspection, where: str = "record") -> None:
                 raise RecordingError(finding.message.removesuffix("."), where=f"{where}: {finding.place}")
 
 
-def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str) -> _Task:
+def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str) -> _RecordTask:
     rigid = tester is None or tester.kind == "rigid-plate"
     possible = methods_on("rigid-plate" if tester is None else tester.kind)
     chosen = tuple(methods) if methods is not None else possible
@@ -185,7 +185,7 @@ def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, ax
             plate = "rigid" if rigid else "sprung"
             choices = METHODS if method not in METHODS else possible
             raise unknown(method, choices, what="method" if method not in METHODS else f"method of a {plate} plate")
-    return _Task(tester, None if vehicle is None else wheel_load(vehicle, axle), chosen, rigid)
+    return _RecordTask(tester, None if vehicle is None else wheel_load(vehicle, axle), chosen, rigid)
 
 
 def wheel_load(vehicle: Any, axle: str = "") -> float | None:
@@ -220,7 +220,7 @@ def _unfit(wheel: str, findings: list[Finding], load: float | None = None) -> Wh
 
 
 def _evaluate_wheels(
-    record: xr.Dataset, sides: tuple[str, ...], facts: Mapping[str, Any], task: _Task
+    record: xr.Dataset, sides: tuple[str, ...], facts: Mapping[str, Any], task: _RecordTask
 ) -> list[WheelResult]:
     signals = {side: signals_of(record, side, task.tester) for side in sides}
     stroke = task.tester.stroke if task.tester is not None else 6e-3
@@ -263,7 +263,7 @@ def _evaluate_wheel(
     measured: float | None,
     pair: list[Finding],
     facts: Mapping[str, Any],
-    task: _Task,
+    task: _RecordTask,
 ) -> WheelResult:
     wheel, tester = signals.wheel, task.tester
     findings = [*checks.check_columns(signals, raw, tester), *checks.check_sampling(signals, tester)]
@@ -311,7 +311,7 @@ def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[F
 
 
 def _on_rigid_plate(
-    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
+    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _RecordTask
 ) -> WheelResult:
     wheel = signals.wheel
     strokes = stroke_by_turn(signals.height, signals.time, sweep.turns)
@@ -354,7 +354,7 @@ def _mean_by_turn(signals: WheelSignals, top: Array) -> Array:
 
 
 def _on_sprung_plate(
-    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
+    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _RecordTask
 ) -> WheelResult:
     wheel, tester, height = signals.wheel, task.tester, signals.height
     if height is None or tester is None:

@@ -13,7 +13,7 @@ import numpy as np
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.serialise import to_plain
 from jounce.core.shown import Shown
-from jounce.inspection.limits import VERDICTS, Band, Criterion, Limits, load_limits
+from jounce.inspection.limits import VERDICTS, Criterion, Limits, VerdictBand, load_limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Language
 from jounce.inspection.quarter_car import steady_state
@@ -35,7 +35,7 @@ class Difference:
     smaller: str  # which wheel has the smaller value; empty for equal values
     relative_uncertainty: float | None = None  # half width of the 95 % interval of the relative difference (1)
     place: str = ""  # side of the car, for front and rear
-    bands: dict[str, Band] = field(default_factory=dict)  # by name of the limit
+    bands: dict[str, VerdictBand] = field(default_factory=dict)  # by name of the limit
     unreliable: tuple[str, ...] = ()  # wheels or axles whose value is unreliable: no band then
 
     def to_dict(self) -> dict[str, Any]:
@@ -128,7 +128,7 @@ USUAL_TYRE = 200e3
 _ALIKE = 0.05
 
 
-def explain(wheel: WheelResult, bands: Mapping[str, Band], limits: Limits) -> list[Reason]:
+def explain(wheel: WheelResult, bands: Mapping[str, VerdictBand], limits: Limits) -> list[Reason]:
     """Say why methods disagree about a wheel, from its values and bands by method; nothing where they agree."""
     if len({band.verdict for band in bands.values()}) < 2:
         return []
@@ -179,7 +179,7 @@ class WheelGrade:
     """Grading of one wheel."""
 
     wheel: str  # ``left`` or ``right``
-    bands: dict[str, Band]  # by method; methods without a value or limits are missing
+    bands: dict[str, VerdictBand]  # by method; methods without a value or limits are missing
     verdict: str  # ``pass``, ``advise``, ``fail`` or ``not graded``
     reasons: tuple[Reason, ...]  # what decides first
 
@@ -390,7 +390,7 @@ def _grade_wheel(
         found = {one.message: one for one in reversed(unfit)}
         reasons_ = tuple(Reason("finding", NOT_GRADED, {"finding": one}) for one in reversed(found.values()))
         return WheelGrade(wheel.wheel, {}, NOT_GRADED, reasons_)
-    bands: dict[str, Band] = {}
+    bands: dict[str, VerdictBand] = {}
     reasons: dict[str, list[Reason]] = {}
     for method in dict.fromkeys((*(inspection.methods or limits.methods), *(deciding or ()))):
         band, reasons[method] = _by_method(wheel, method, limits)
@@ -410,7 +410,7 @@ def _grade_wheel(
     return WheelGrade(wheel.wheel, bands, verdict, (*listed, *explain(wheel, firm, limits)))
 
 
-def _severity(band: Band | None) -> int:
+def _severity(band: VerdictBand | None) -> int:
     return len(VERDICTS) if band is None else VERDICTS.index(band.verdict)
 
 
@@ -418,7 +418,7 @@ def _verdicts(reasons: Iterable[Reason]) -> list[str]:
     return [reason.verdict for reason in reasons if reason.verdict]
 
 
-def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | None, list[Reason]]:
+def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[VerdictBand | None, list[Reason]]:
     """Band of a wheel by one method, and the reasons."""
     criterion = limits.methods.get(method)
     if criterion is None:
@@ -442,7 +442,7 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     return band, reasons + near_edges(criterion, value, half, method)
 
 
-def _lowest_band(criterion: Criterion, value: float, half: float | None) -> Band | None:
+def _lowest_band(criterion: Criterion, value: float, half: float | None) -> VerdictBand | None:
     """Lowest band for a value below it whose 95 % interval (half width in the same unit) reaches into it."""
     lowest = criterion.bands[0]
     return lowest if half is not None and value < lowest.start <= value + half else None

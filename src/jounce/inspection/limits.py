@@ -14,7 +14,7 @@ from jounce.core.description import Description, misplaced, read_description
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.units import Number, to_si
 from jounce.inspection.methods import METHODS, QUANTITIES
-from jounce.inspection.quantities import Language, Quantity
+from jounce.inspection.quantities import Language, WheelQuantity
 from jounce.inspection.shipped import SHIPPED, shipped_limits
 
 SCHEMA = "jounce.limits/1"
@@ -24,7 +24,7 @@ VERDICTS: tuple[Verdict, ...] = ("pass", "advise", "fail")
 """From good to bad."""
 
 
-class Band(Description):
+class VerdictBand(Description):
     """One class of a quantity, half-open.
 
     Attributes
@@ -64,7 +64,7 @@ class Criterion(Description):
     ----------
     quantity : str
         Key of the value in results, e.g. ``"theta_road"``.
-    bands : tuple of Band
+    bands : tuple of VerdictBand
         Ascending, without gaps and overlaps.
     source, source_de : str
         Where the numbers are from, in English and German.
@@ -75,7 +75,7 @@ class Criterion(Description):
     """
 
     quantity: str
-    bands: tuple[Band, ...] = Field(min_length=1)
+    bands: tuple[VerdictBand, ...] = Field(min_length=1)
     source: str = Field(min_length=1)
     source_de: str = ""
     date: str = ""
@@ -86,7 +86,7 @@ class Criterion(Description):
         return self.source_de if language == "de" and self.source_de else self.source
 
     @property
-    def kind(self) -> Quantity:
+    def kind(self) -> WheelQuantity:
         """Unit and words of the quantity; of a relative difference per cent."""
         return QUANTITIES[self.quantity]
 
@@ -127,7 +127,7 @@ class Criterion(Description):
     def _said(self, value: float) -> str:
         return self.kind.limit_text(value) if math.isfinite(value) else "no limit"
 
-    def band_of(self, value: float) -> Band | None:
+    def band_of(self, value: float) -> VerdictBand | None:
         """Find the band of a value in the quantity's unit; None where no band is.
 
         Examples
@@ -184,7 +184,7 @@ class Condition(Criterion):
     methods: tuple[str, ...] = Field(min_length=1)
 
 
-_SHARE = Quantity("difference", "1", "%", 100.0, 1, "difference", "Unterschied")
+_SHARE = WheelQuantity("difference", "1", "%", 100.0, 1, "difference", "Unterschied")
 
 
 class DifferenceCriterion(Condition):
@@ -202,7 +202,7 @@ class DifferenceCriterion(Condition):
     definition: Literal["relative", "absolute"] = "relative"
 
     @property
-    def kind(self) -> Quantity:
+    def kind(self) -> WheelQuantity:
         """Unit of the difference, words of the quantity."""
         return _SHARE if self.definition == "relative" else QUANTITIES[self.quantity]
 

@@ -23,7 +23,7 @@ from jounce.core.types import Array
 from jounce.inspection.findings import remark, warning
 from jounce.inspection.quantities import NUMBERS
 from jounce.inspection.quarter_car import (
-    Corner,
+    LinearQuarterCar,
     ResponseFit,
     body_damping,
     force_response,
@@ -72,7 +72,7 @@ class WheelTest:
 
 
 @dataclass
-class Found:
+class MethodResult:
     """What a method found in a test."""
 
     # by key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known
@@ -97,7 +97,7 @@ class Method:
     tester: str
     plates: tuple[str, ...]
     numbers: tuple[str, ...]
-    evaluate: Callable[[WheelTest], Found]
+    evaluate: Callable[[WheelTest], MethodResult]
 
 
 @dataclass(frozen=True)
@@ -141,9 +141,9 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     return Adhesion(max(share, 0.0), min(float(at), highest), lifted, amplitude, half)
 
 
-def _of_fit(test: WheelTest) -> Found:
+def _of_fit(test: WheelTest) -> MethodResult:
     """What the fitted quarter car says of every method's value: whether a damper acts, and whether it is one."""
-    found = Found()
+    found = MethodResult()
     if test.fit is not None:
         found.values["explained_force"] = test.fit.explained
         half = NORMAL_95 * test.fit.spread(_of_body)
@@ -153,11 +153,11 @@ def _of_fit(test: WheelTest) -> Found:
     return found
 
 
-def _of_body(corner: Corner) -> float:
+def _of_body(corner: LinearQuarterCar) -> float:
     return body_damping(road_poles(corner))
 
 
-def _eusama(test: WheelTest) -> Found:
+def _eusama(test: WheelTest) -> MethodResult:
     """Adhesion, where the force is least, and the relative force amplitude of EGEA, which is made of the same force."""
     found, one = _of_fit(test), test.adhesion
     if one is None:
@@ -269,7 +269,7 @@ def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[F
     return [warning(place, code, value, rigidity=1e-3 * value, limit=1e-3 * limit)]
 
 
-def _egea(test: WheelTest) -> Found:
+def _egea(test: WheelTest) -> MethodResult:
     """Least phase angle and tyre rigidity beside what the least force gives."""
     found, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
     tyre, found.findings = find_rigidity(test.signals, test.sweep, test.load)
@@ -321,10 +321,10 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
     is at rest.
     """
 
-    def on_road(corner: Corner) -> float:
+    def on_road(corner: LinearQuarterCar) -> float:
         return wheel_damping(road_poles(corner))[0]
 
-    def on_rig(corner: Corner) -> float:
+    def on_rig(corner: LinearQuarterCar) -> float:
         if tester is None or tester.plate_spring_rate is None:
             return on_road(corner)
         damping = tester.plate_damping_coefficient or 0.0
@@ -355,14 +355,14 @@ def half_power(frequency: Array, amplitude: Array) -> float | None:
     return float((high - low) / (2.0 * f[top]))
 
 
-def plate_gain(corner: Corner, tester: Tester, frequency: Array) -> Array:
+def plate_gain(corner: LinearQuarterCar, tester: Tester, frequency: Array) -> Array:
     """Height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
     s = 2j * np.pi * np.asarray(frequency, dtype=float)
     spring = float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
     return np.asarray(abs(spring / (tester.plate_mass * s * s + spring + force_response(corner, frequency))))
 
 
-def theta_by_amplification(gain: float, corner: Corner, tester: Tester) -> float | None:
+def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester) -> float | None:
     """Damping ratio (1) of the rig whose plate is moved ``gain`` times (1) as much as the exciter at resonance.
 
     Of the corner everything but the damper counts. None where no damper gives this amplification.
@@ -424,7 +424,7 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
     return np.array(kept[::-1], dtype=np.intp)
 
 
-def _theta(test: WheelTest) -> Found:
+def _theta(test: WheelTest) -> MethodResult:
     """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
     found, wheel = _of_fit(test), test.signals.wheel
     if test.fit is not None:
@@ -491,11 +491,11 @@ def find_boge(test: WheelTest) -> BogeAmplitude | None:
     return BogeAmplitude(float(strokes[at]), NORMAL_95 * noise * np.sqrt(2.0), float(frequency[at]))
 
 
-def _boge(test: WheelTest) -> Found:
+def _boge(test: WheelTest) -> MethodResult:
     one = find_boge(test)
     if one is None:
-        return Found()
-    return Found({"boge_amplitude": one.amplitude}, {"boge_amplitude": one.half_width})
+        return MethodResult()
+    return MethodResult({"boge_amplitude": one.amplitude}, {"boge_amplitude": one.half_width})
 
 
 _RIGID, _SPRUNG = "rigid-plate", "sprung-plate"

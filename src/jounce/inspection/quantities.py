@@ -24,7 +24,7 @@ class Sentence(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Quantity:
+class WheelQuantity:
     """One value of a wheel.
 
     Attributes
@@ -111,35 +111,35 @@ class Quantity:
         return text.lstrip("-") if float(text) == 0.0 else text
 
 
-NUMBERS: dict[str, Quantity] = {
+NUMBERS: dict[str, WheelQuantity] = {
     quantity.name: quantity
     for quantity in (
-        Quantity("static_load", "N", "N", 1.0, 0, "static load", "statische Radlast"),
-        Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),
-        Quantity(
+        WheelQuantity("static_load", "N", "N", 1.0, 0, "static load", "statische Radlast"),
+        WheelQuantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),
+        WheelQuantity(
             "adhesion_frequency_hz", "Hz", "Hz", 1.0, 2, "frequency of the least force", "Frequenz der kleinsten Kraft"
         ),
-        Quantity(
+        WheelQuantity(
             "phase_angle_min_deg", "deg", "°", 1.0, 1, "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)"
         ),
-        Quantity("phase_frequency_hz", "Hz", "Hz", 1.0, 2, "frequency of that angle", "Frequenz dieses Winkels"),
-        Quantity(
+        WheelQuantity("phase_frequency_hz", "Hz", "Hz", 1.0, 2, "frequency of that angle", "Frequenz dieses Winkels"),
+        WheelQuantity(
             "relative_force_amplitude", "1", "%", 100.0, 1, "relative force amplitude", "relative Kraftamplitude"
         ),
-        Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
-        Quantity("theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"),
-        Quantity(
+        WheelQuantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
+        WheelQuantity("theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"),
+        WheelQuantity(
             "theta_road", "1", "", 1.0, 3, "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)"
         ),
-        Quantity("resonance_frequency_hz", "Hz", "Hz", 1.0, 2, "resonance frequency", "Resonanzfrequenz"),
-        Quantity(
+        WheelQuantity("resonance_frequency_hz", "Hz", "Hz", 1.0, 2, "resonance frequency", "Resonanzfrequenz"),
+        WheelQuantity(
             "boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"
         ),
-        Quantity(
+        WheelQuantity(
             "body_damping_ratio", "1", "", 1.0, 3,
             "damping ratio of the body on this wheel", "Dämpfungsgrad, Aufbau über dem Rad",
         ),
-        Quantity(
+        WheelQuantity(
             "explained_force", "1", "%", 100.0, 1,
             "force that a linear wheel explains", "Kraft, die ein lineares Rad erklärt",
         ),

@@ -24,7 +24,7 @@ from jounce.testers.plates import SteadyResponse, least, least_adhesion, tyre_ri
 
 
 @dataclass(frozen=True)
-class Corner:
+class LinearQuarterCar:
     """Linear quarter car as a plate under its wheel sees it.
 
     Attributes
@@ -51,12 +51,12 @@ class Corner:
         return (self.sprung_mass + self.unsprung_mass) * GRAVITY
 
 
-def force_response(corner: Corner, frequency: ArrayLike) -> Complex:
+def force_response(corner: LinearQuarterCar, frequency: ArrayLike) -> Complex:
     """Dynamic tyre force over plate height of a wheel that stays on the plate.
 
     Parameters
     ----------
-    corner : Corner
+    corner : LinearQuarterCar
         The quarter car.
     frequency : array_like, shape (n,)
         Hz, not negative.
@@ -69,7 +69,7 @@ def force_response(corner: Corner, frequency: ArrayLike) -> Complex:
 
     Examples
     --------
-    >>> car = Corner(400.0, 40.0, 25e3, 1000.0, 200e3)
+    >>> car = LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3)
     >>> float(abs(force_response(car, [25.0])[0]).round(-2))
     250400.0
     """
@@ -93,19 +93,21 @@ def responses(parameters: Array, s: Complex) -> Complex:
     return np.asarray(tyre - tyre * tyre / (unsprung * square + hung + tyre))
 
 
-def road_poles(corner: Corner) -> Complex:
+def road_poles(corner: LinearQuarterCar) -> Complex:
     """Poles with the plate at rest, which are those on the road, 1/s."""
     return _roots(road_polynomial(corner))
 
 
-def road_polynomial(corner: Corner) -> Array:
+def road_polynomial(corner: LinearQuarterCar) -> Array:
     """Characteristic polynomial with the plate at rest, highest power first, SI."""
     ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
     kt, ct = corner.tyre_stiffness, corner.tyre_damping_coefficient
     return np.array([ms * mu, ms * (c + ct) + mu * c, ms * (k + kt) + mu * k + c * ct, c * kt + k * ct, k * kt])
 
 
-def rig_poles(corner: Corner, plate_mass: float, spring_rate: float, damping_coefficient: float = 0.0) -> Complex:
+def rig_poles(
+    corner: LinearQuarterCar, plate_mass: float, spring_rate: float, damping_coefficient: float = 0.0
+) -> Complex:
     """Poles on a sprung plate (kg, N/m, N s/m) whose exciter is at rest, 1/s."""
     ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
     tyre = np.array([corner.tyre_damping_coefficient, corner.tyre_stiffness])
@@ -208,7 +210,7 @@ class Stretch:
 class ResponseFit:
     """Quarter car fitted to a record."""
 
-    corner: Corner  # fitted masses, rates and dampings
+    corner: LinearQuarterCar  # fitted masses, rates and dampings
     # (6, 6): of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI
     covariance: Array
     # standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency
@@ -217,7 +219,7 @@ class ResponseFit:
     # time (s) by which the force comes later than the height, where that is sure and not small; else 0
     delay: float = 0.0
 
-    def spread(self, quantity: Callable[[Corner], float]) -> float:
+    def spread(self, quantity: Callable[[LinearQuarterCar], float]) -> float:
         """Standard error of a number that follows from the corner, in the number's unit."""
         return self._spread(np.array([quantity(_corner(near)) for near in self._near]))
 
@@ -354,9 +356,9 @@ def _surprise(here: Array, mass: float, variance: float) -> float:
     return variance * float(gap[0] ** 2 + gap[1] ** 2)
 
 
-def _corner(parameters: Array) -> Corner:
+def _corner(parameters: Array) -> LinearQuarterCar:
     *others, sprung_mass = map(float, parameters)
-    return Corner(sprung_mass, *others)
+    return LinearQuarterCar(sprung_mass, *others)
 
 
 def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float = 0.0) -> float:
@@ -404,7 +406,7 @@ def _both_parts(values: Complex) -> Array:
     return np.concatenate([values.real, values.imag])
 
 
-def _parameters(corner: Corner) -> Array:
+def _parameters(corner: LinearQuarterCar) -> Array:
     sprung_mass, *others = astuple(corner)
     return np.array([*others, sprung_mass])
 
@@ -514,7 +516,7 @@ class SteadyState:
 
 
 def steady_state(
-    response: Response | Corner,
+    response: Response | LinearQuarterCar,
     static_load: float | None = None,
     *,
     amplitude: float = 3e-3,
@@ -525,7 +527,7 @@ def steady_state(
 
     Parameters
     ----------
-    response : callable or Corner
+    response : callable or LinearQuarterCar
         Dynamic tyre force over plate height (N/m, complex) at frequencies (Hz); or the quarter car.
     static_load : float, optional
         N; that of the corner where one is given.
@@ -543,12 +545,12 @@ def steady_state(
 
     Examples
     --------
-    >>> found = steady_state(Corner(400.0, 40.0, 25e3, 1000.0, 200e3))
+    >>> found = steady_state(LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3))
     >>> round(100.0 * found.adhesion, 2), round(found.phase_angle_min_deg, 2), round(found.phase_frequency_hz, 2)
     (60.25, 57.27, 7.76)
     """
-    force: Response = partial(force_response, response) if isinstance(response, Corner) else response
-    own = response.static_load if isinstance(response, Corner) else 0.0
+    force: Response = partial(force_response, response) if isinstance(response, LinearQuarterCar) else response
+    own = response.static_load if isinstance(response, LinearQuarterCar) else 0.0
     load = own if static_load is None else static_load
 
     def answer(frequency: Array) -> SteadyResponse:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from jounce.inspection.findings import sentence_of
-from jounce.inspection.limits import Band, Criterion
+from jounce.inspection.limits import Criterion, VerdictBand
 from jounce.inspection.methods import METHODS, QUANTITIES, method_names
 from jounce.inspection.quantities import Language, Sentence
 from jounce.inspection.result import NOT_GRADED
@@ -192,7 +192,7 @@ def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: 
     if "value" in values:
         found["value"] = with_uncertainty(criterion, values["value"], values.get("half"), language)
     band = values.get("band")
-    if isinstance(band, Band):
+    if isinstance(band, VerdictBand):
         found |= {"label": band.words(language), "range": range_words(criterion, band, language)}
     return found
 
@@ -204,7 +204,7 @@ def with_uncertainty(criterion: Criterion, value: float, half: float | None, lan
     return text if half is None else f"{text} ± {kind.rounded_up(half, language)}"
 
 
-def range_words(criterion: Criterion, band: Band, language: Language = "en") -> str:
+def range_words(criterion: Criterion, band: VerdictBand, language: Language = "en") -> str:
     """Say where a band lies: ``from 20 % to below 40 %``."""
     kind, english = criterion.kind, language == "en"
     parts = []

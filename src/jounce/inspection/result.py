@@ -10,8 +10,8 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.tables import TextTable
 from jounce.core.types import Array
-from jounce.inspection.quantities import NUMBERS, Quantity
-from jounce.inspection.quarter_car import Corner
+from jounce.inspection.quantities import NUMBERS, WheelQuantity
+from jounce.inspection.quarter_car import LinearQuarterCar
 
 NOT_GRADED = "not graded"
 
@@ -80,7 +80,7 @@ class WheelResult(Plain):
     unreliable : tuple of str
         Keys of values that another test of the same wheel may give quite differently, as after lift-off: they have no
         interval, and no difference to another wheel is graded by them.
-    corner : Corner or None
+    corner : LinearQuarterCar or None
         Linear quarter car fitted to the record.
     grade : mapping of str to str
         Band by method; filled by the grading.
@@ -114,7 +114,7 @@ class WheelResult(Plain):
     theta_methods: Mapping[str, float | None] = field(default_factory=dict)
     uncertainty: Mapping[str, float] = field(default_factory=dict)
     unreliable: tuple[str, ...] = ()
-    corner: Corner | None = None
+    corner: LinearQuarterCar | None = None
     grade: Mapping[str, str] = field(default_factory=dict)
     verdict: str = NOT_GRADED
     reasons: tuple[str, ...] = ()
@@ -195,7 +195,7 @@ def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:
     return TextTable(title, ("", *(wheel.wheel for wheel in wheels)), rows, tuple(range(len(wheels) + 1)))
 
 
-def _with_half(wheel: WheelResult, number: Quantity) -> str:
+def _with_half(wheel: WheelResult, number: WheelQuantity) -> str:
     value, half = wheel.value(number.name), wheel.uncertainty.get(number.name)
     text = number.text(value)
     return text if half is None or text == "–" else f"{text} ± {number.rounded_up(half)}"

@@ -21,7 +21,7 @@ from jounce.core.types import Array, Complex
 from jounce.inspection.findings import problem, warning
 from jounce.inspection.quarter_car import (
     TYRES,
-    Corner,
+    LinearQuarterCar,
     ResponseFit,
     Stretch,
     delay_of,
@@ -362,7 +362,7 @@ def _doubts(
     return findings
 
 
-def _is_own(frequency: float, corner: Corner) -> bool:
+def _is_own(frequency: float, corner: LinearQuarterCar) -> bool:
     """Whether a frequency (Hz) is one at which a wheel that is next to undamped, or the body upon it, swings on."""
     ratio, own = wheel_damping(road_poles(corner))
     return ratio < _UNDAMPED and (frequency < _HIGHEST_OF_BODY or abs(frequency / own - 1.0) < _OWN)

@@ -30,7 +30,7 @@ from jounce.core.turns import once
 from jounce.core.waiting import told
 from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
-from jounce.kernel.machine import IN_LLVM, Code, features, machine_code, this_machine
+from jounce.kernel.machine import IN_LLVM, MachineCode, features, machine_code, this_machine
 
 PYTHON = (
     "PyErr_Clear",
@@ -165,7 +165,7 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     for symbol in PYTHON:
         llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
     head, code = parted(content)
-    address, facts = Code([code], (ENTRY,)).address[ENTRY], _facts()
+    address, facts = MachineCode([code], (ENTRY,)).address[ENTRY], _facts()
     function, place = _PROTOTYPE(address), ctypes.addressof(facts)
 
     # keeps the code loaded as long as this function lives

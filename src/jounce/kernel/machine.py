@@ -30,7 +30,7 @@ class Address(int):
     _code: Any
 
 
-class Code:
+class MachineCode:
     """Loaded machine code; ``address[name]`` is the address of the function of that name."""
 
     def __init__(self, objects: Iterable[bytes], names: tuple[str, ...]) -> None:

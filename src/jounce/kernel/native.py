@@ -19,7 +19,7 @@ from jounce.core.waiting import told
 from jounce.kernel.apart import compile_in_child
 from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
 from jounce.kernel.call import Loop
-from jounce.kernel.machine import IN_LLVM, Code, machine_code, this_machine
+from jounce.kernel.machine import IN_LLVM, MachineCode, machine_code, this_machine
 
 if TYPE_CHECKING:
     from jounce.kernel.lowering import AnyFunction, Lowering
@@ -53,7 +53,7 @@ class Source:
     notes: str = ""
 
 
-class Native(Code):
+class Native(MachineCode):
     """Native code of a model; ``address[name]`` is the address of the function of that name."""
 
     def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:

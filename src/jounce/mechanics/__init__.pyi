@@ -15,7 +15,7 @@ from .elements import friction_force as friction_force
 from .elements import spring_force as spring_force
 from .elements import tyre_force as tyre_force
 from .equations import Track as Track
-from .facts import Facts as Facts
+from .facts import ModelFacts as ModelFacts
 from .facts import Output as Output
 from .joints import Cylindrical as Cylindrical
 from .joints import Driven as Driven

@@ -51,7 +51,7 @@ class BodyPoint(Moving):
 
 
 @dataclass
-class Poses:
+class BodyFrames:
     """Frames of the bodies of one mechanism by name, and their points and directions that expressions name."""
 
     collection: Collection
@@ -106,7 +106,7 @@ class Body:
     ----------
     name : str
         For messages and channels.
-    poses : Poses
+    poses : BodyFrames
         Frames of the bodies of its mechanism.
     mass_properties : MassProperties, optional
         None for a body that only carries points.
@@ -115,7 +115,7 @@ class Body:
     """
 
     name: str
-    poses: Poses = field(repr=False)
+    poses: BodyFrames = field(repr=False)
     mass_properties: MassProperties | None = None
     axes_of: Body | None = None
 

@@ -41,7 +41,7 @@ class Deflection:
 
 
 @dataclass(frozen=True, eq=False)
-class Bushing(Between):
+class ElasticJoint(Between):
     """An elastic joint in six directions along the axes of its first body, unloaded in the design pose.
 
     Its forces on both bodies act at the same place, and they derive from an energy: a motion of both bodies
@@ -172,7 +172,7 @@ def add_bushing(
     >>> soft = add_bushing(mount, "mount", mount.ground, engine, (0.0, 0.0, -0.2), (1e5, 1e5, 3e5))
     >>> mount.output("mount.force", soft.force[2], "N", "force of the mount on the engine, up positive")
     """
-    law = Bushing(name, first, second, at, stiffness, damping, rotational_stiffness, rotational_damping)
+    law = ElasticJoint(name, first, second, at, stiffness, damping, rotational_stiffness, rotational_damping)
     return Deflection(*mechanism.act(law).shown)
 
 

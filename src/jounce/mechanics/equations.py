@@ -274,7 +274,7 @@ def solve(
     if constraint.value.shape[0] == 0:
         return _unconstrained(v, matrix, force, move)
     gradient = ca.jacobian(constraint.rate, v)
-    loops = _Loops(matrix, gradient) if not shared else _SharedLoops(matrix, gradient, shared)
+    loops = _LoopFactors(matrix, gradient) if not shared else _SharedLoops(matrix, gradient, shared)
 
     def correction(residual: ca.SX) -> ca.SX:
         return loops.displaced(residual)
@@ -305,7 +305,7 @@ def _unconstrained(v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX]
     )
 
 
-class _Loops:
+class _LoopFactors:
     """Factors of mass matrix and constraints, for the balance ``M a = Q + G^T lambda``, ``G a + bias = 0``."""
 
     def __init__(self, matrix: ca.SX, gradient: ca.SX) -> None:
@@ -340,7 +340,7 @@ class _Block:
     def __init__(self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]) -> None:
         self.speeds, self.rows = speeds, rows
         own = gradient[rows, speeds]
-        self.loops = _Loops(matrix[speeds, speeds], own) if rows else _Free(matrix[speeds, speeds])
+        self.loops = _LoopFactors(matrix[speeds, speeds], own) if rows else _Free(matrix[speeds, speeds])
         self._coupling, self._pull = matrix[speeds, shared], gradient[rows, shared]
         columns = [self.loops.balance(-self._coupling[:, j], self._pull[:, j]) for j in range(len(shared))]
         self.follow: ca.SX
@@ -359,7 +359,7 @@ class _Block:
 
 
 class _Free:
-    """Speeds without loops, in the form of ``_Loops``."""
+    """Speeds without loops, in the form of ``_LoopFactors``."""
 
     def __init__(self, matrix: ca.SX) -> None:
         self._mass, self._size = Ldl(matrix), matrix.shape[0]

@@ -78,7 +78,7 @@ class Equation:
 
 
 @dataclass(frozen=True)
-class Facts:
+class ModelFacts:
     """Names and counts of a model, without its equations (see :class:`Model`).
 
     ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions); ``linear_without`` the parameters

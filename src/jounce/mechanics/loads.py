@@ -49,7 +49,7 @@ class Action:
 
 
 @dataclass(frozen=True, eq=False)
-class Load(NamedPart):
+class ForceElement(NamedPart):
     """A force law in a mechanism."""
 
     def action(self, system: System) -> Action:
@@ -58,7 +58,7 @@ class Load(NamedPart):
 
 
 @dataclass(frozen=True, eq=False)
-class PointForce(Load):
+class PointForce(ForceElement):
     """A force (N, ground axes) on a point of a body."""
 
     body: Body
@@ -73,7 +73,7 @@ class PointForce(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class Torque(Load):
+class Torque(ForceElement):
     """A torque (N m, ground axes) on a body."""
 
     body: Body
@@ -86,7 +86,7 @@ class Torque(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class GeneralForce(Load):
+class GeneralForce(ForceElement):
     """A force along an expression of coordinates and points of bodies."""
 
     length: str
@@ -105,7 +105,7 @@ class GeneralForce(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class PowerOnRate(Load):
+class PowerOnRate(ForceElement):
     """A force by the rate it does power on."""
 
     rate: ca.SX = law("m/s or rad/s")
@@ -120,7 +120,7 @@ class PowerOnRate(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class Between(Load):
+class Between(ForceElement):
     """A load between two bodies."""
 
     first: Body
@@ -203,7 +203,7 @@ class SpringDamper(Between):
 
 
 @dataclass(frozen=True, eq=False)
-class RotationalSpringDamper(Load):
+class RotationalSpringDamper(ForceElement):
     """A spring and damper on the angle of a joint, or a user-defined law; positive along the angle."""
 
     joint: str
@@ -225,7 +225,7 @@ class RotationalSpringDamper(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class OnCoordinate(Load):
+class OnCoordinate(ForceElement):
     """A load along a coordinate, in ``length`` (``m`` or ``rad``)."""
 
     length: str
@@ -278,7 +278,7 @@ class Stop(OnCoordinate):
 
 
 @dataclass(frozen=True, eq=False)
-class Friction(OnCoordinate):
+class CoordinateFriction(OnCoordinate):
     """Coulomb friction on a coordinate, turned over smoothly."""
 
     regularisation_rate: Given = quantity("{length}/s", above=0.0)

@@ -24,7 +24,7 @@ _TRIANGLE = 1e-6  # share of the largest moment by which rounding may violate th
 
 
 @dataclass(frozen=True)
-class Solid:
+class SolidMass:
     """Mass (kg), centre of mass (m, shape (3,)) and inertia about it (kg m^2, shape (3, 3), design axes).
 
     Pass it to a mechanism as ``body(name, *solid.arguments)``.
@@ -42,7 +42,7 @@ class Solid:
         return self.mass, tuple(map(float, self.centre_of_mass)), tuple(map(float, elements))
 
 
-def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> Solid:
+def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> SolidMass:
     """Return the mass properties of a block with edges along the design axes.
 
     Parameters
@@ -56,7 +56,7 @@ def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> So
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass, centre, inertia.
 
     Examples
@@ -67,10 +67,10 @@ def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> So
     a, b, c = (_positive(part, "m", "size") for part in _three(size, "size"))
     mass = _positive(density, "kg/m^3", "density") * a * b * c
     moments = mass / 12.0 * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
-    return Solid(mass, _place(centre, "centre"), np.diag(moments))
+    return SolidMass(mass, _place(centre, "centre"), np.diag(moments))
 
 
-def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> Solid:
+def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> SolidMass:
     """Return the mass properties of a ball.
 
     Parameters
@@ -84,15 +84,15 @@ def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> Solid:
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass, centre, inertia.
     """
     r, rho = _positive(radius, "m", "radius"), _positive(density, "kg/m^3", "density")
     mass = rho * 4.0 / 3.0 * np.pi * r**3
-    return Solid(float(mass), _place(centre, "centre"), 0.4 * mass * r * r * np.eye(3))
+    return SolidMass(float(mass), _place(centre, "centre"), 0.4 * mass * r * r * np.eye(3))
 
 
-def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]) -> Solid:
+def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]) -> SolidMass:
     """Return the mass properties of a round bar between two points.
 
     Parameters
@@ -106,7 +106,7 @@ def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequ
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass, centre, inertia.
     """
     return tube(density, 0.0, radius, start, end)
@@ -114,7 +114,7 @@ def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequ
 
 def tube(
     density: Number, inner_radius: Number, outer_radius: Number, start: Sequence[Number], end: Sequence[Number]
-) -> Solid:
+) -> SolidMass:
     """Return the mass properties of a tube between two points.
 
     Parameters
@@ -128,7 +128,7 @@ def tube(
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass, centre, inertia.
 
     Raises
@@ -147,10 +147,10 @@ def tube(
     squares = outer**2 + inner**2
     along, across = 0.5 * mass * squares, mass * (squares / 4.0 + length**2 / 12.0)
     inertia = across * np.eye(3) + (along - across) * np.outer(axis, axis)
-    return Solid(float(mass), 0.5 * (first + last), inertia)
+    return SolidMass(float(mass), 0.5 * (first + last), inertia)
 
 
-def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> Solid:
+def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> SolidMass:
     """Return the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
 
     Parameters
@@ -164,7 +164,7 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass, centre, inertia.
 
     Raises
@@ -187,7 +187,7 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
         )
     rho, unit = _positive(density, "kg/m^3", "density"), _positive(scale, "m", "scale")
     inertia = np.asarray(result.moment_inertia) * rho * unit**5
-    return Solid(float(result.volume * rho * unit**3), np.asarray(result.center_mass) * unit, inertia)
+    return SolidMass(float(result.volume * rho * unit**3), np.asarray(result.center_mass) * unit, inertia)
 
 
 def _read(trimesh: ModuleType, file: Path) -> Any:
@@ -203,17 +203,17 @@ def _read(trimesh: ModuleType, file: Path) -> Any:
     return result
 
 
-def combined(*solids: Solid) -> Solid:
+def combined(*solids: SolidMass) -> SolidMass:
     """Return the mass properties of several solids as one body.
 
     Parameters
     ----------
-    *solids : Solid
+    *solids : SolidMass
         The parts.
 
     Returns
     -------
-    Solid
+    SolidMass
         Mass (kg), centre (m), inertia (kg m^2).
 
     Raises
@@ -229,7 +229,7 @@ def combined(*solids: Solid) -> Solid:
     for solid in solids:
         arm = solid.centre_of_mass - centre
         inertia += solid.inertia + solid.mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
-    return Solid(mass, centre, inertia)
+    return SolidMass(mass, centre, inertia)
 
 
 def check_inertia(name: str, mass: float, inertia: Array) -> None:

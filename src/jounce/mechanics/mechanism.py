@@ -23,7 +23,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import assemble, refuse_singular, removable
-from jounce.mechanics.bodies import Body, BodyPoint, MassProperties, Poses, RigidMass, tensor_elements
+from jounce.mechanics.bodies import Body, BodyFrames, BodyPoint, MassProperties, RigidMass, tensor_elements
 from jounce.mechanics.carrier import Carried, CarriedMasses, MovingCarrier
 from jounce.mechanics.descriptions import NamedPart, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
@@ -31,7 +31,7 @@ from jounce.mechanics.expressions import check_name, expression_of, vector_of
 from jounce.mechanics.facts import Equation
 from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, JointCoordinates
-from jounce.mechanics.loads import Action, Load
+from jounce.mechanics.loads import Action, ForceElement
 from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mobility import Freedoms, Mobility
 from jounce.mechanics.model import Model
@@ -482,9 +482,9 @@ class Mechanism(Structure):
     # loads -----------------------------------------------------------------------------------------------------
 
     @all_or_nothing
-    def act(self, load: Load) -> Action:
+    def act(self, load: ForceElement) -> Action:
         """Add a load of any class; ``shown`` is its result for the caller."""
-        if not isinstance(load, Load):
+        if not isinstance(load, ForceElement):
             raise AssemblyError(
                 "not a load", where="act", found=type(load).__name__, hint="Take one of the builder's methods."
             )
@@ -747,7 +747,7 @@ class Mechanism(Structure):
             m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
         """
         coordinate = self._check_expression(name, coordinate)
-        law = loads.Friction(name, self._length_of(coordinate), coordinate, regularisation_rate, force)
+        law = loads.CoordinateFriction(name, self._length_of(coordinate), coordinate, regularisation_rate, force)
         return self.act(law).shown[0]
 
     def _length_of(self, expression: ca.SX) -> str:
@@ -1172,7 +1172,7 @@ class Mechanism(Structure):
         return np.array([every[name] for name in model.parameters]), u
 
 
-def _resolved(collection: Collection, poses: Poses) -> Collection:
+def _resolved(collection: Collection, poses: BodyFrames) -> Collection:
     """Replace all named points in expressions by their formulas from the joints."""
     loads = [part for pair in collection.loads for part in pair]
     rates = [rate for _, rate in collection.internal.values()]

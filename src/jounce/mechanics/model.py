@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields, replace
 import casadi as ca
 
 from jounce.core.turns import once
-from jounce.mechanics.facts import Equation, Facts, Output
+from jounce.mechanics.facts import Equation, ModelFacts, Output
 
 _KINKED = {
     getattr(ca, f"OP_{name}")
@@ -148,10 +148,10 @@ class Model:
     generic: Generic | None = None
 
     @once
-    def facts(self) -> Facts:
+    def facts(self) -> ModelFacts:
         """Names and counts."""
-        return Facts(
-            **{field.name: getattr(self, field.name) for field in fields(Facts)[:-2]},
+        return ModelFacts(
+            **{field.name: getattr(self, field.name) for field in fields(ModelFacts)[:-2]},
             projects=bool(self.projection.shape[0]),
             linear_without=next((zero for zero in self._bending() if self.is_piecewise_linear(zero)), None),
         )

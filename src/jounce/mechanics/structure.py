@@ -12,10 +12,10 @@ from typing import Any
 import casadi as ca
 
 from jounce.core.types import Array
-from jounce.mechanics.bodies import Body, Poses
+from jounce.mechanics.bodies import Body, BodyFrames
 from jounce.mechanics.expressions import expression_of
 from jounce.mechanics.joints import ClosingEquation, Joint, JointCoordinates
-from jounce.mechanics.loads import Action, Load
+from jounce.mechanics.loads import Action, ForceElement
 from jounce.mechanics.system import System
 
 
@@ -57,7 +57,7 @@ class Structure(System):
 
     def __init__(self) -> None:
         super().__init__()
-        self.poses = Poses(self.collection)
+        self.poses = BodyFrames(self.collection)
         self.ground = Body("ground", self.poses)
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
@@ -65,7 +65,7 @@ class Structure(System):
         self.hanging: dict[str, HangingJoint] = {}
         self.closing: dict[str, Closing] = {}
         self.conditions: dict[str, tuple[LoopExpression, ca.SX]] = {}
-        self.loads: list[tuple[Load, Action]] = []
+        self.loads: list[tuple[ForceElement, Action]] = []
 
     @property
     def parameters(self) -> tuple[str, ...]:

@@ -7,6 +7,6 @@ anew whenever one of its numbers is moved (extra ``notebook``). Tables of result
 from __future__ import annotations
 
 from jounce.notebook.sliders import live
-from jounce.notebook.viewing import Cell, viewer
+from jounce.notebook.viewing import EmbeddedPage, viewer
 
-__all__ = ["Cell", "live", "viewer"]
+__all__ = ["EmbeddedPage", "live", "viewer"]

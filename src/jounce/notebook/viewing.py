@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Cell:
+class EmbeddedPage:
     """A page within a cell, apart from everything around it.
 
     Attributes
@@ -36,7 +36,7 @@ class Cell:
         )
 
     def __repr__(self) -> str:
-        return f"Cell of {len(self.page) / 1e6:.2f} MB, shown by notebooks"
+        return f"Page of {len(self.page) / 1e6:.2f} MB, shown by notebooks"
 
 
 def viewer(
@@ -46,7 +46,7 @@ def viewer(
     *,
     channels: Sequence[str] | None = None,
     height: int = 760,
-) -> Cell:
+) -> EmbeddedPage:
     """Show recordings, runs or sweeps in a cell: zoom, read values, choose channels, play the mechanism.
 
     Parameters
@@ -64,7 +64,7 @@ def viewer(
 
     Returns
     -------
-    Cell
+    EmbeddedPage
         A notebook shows it when it is the last line of a cell; nothing is fetched from a network.
 
     Raises
@@ -89,4 +89,4 @@ def viewer(
     named = named_runs([runs] if hasattr(runs, "data_vars") else runs)  # type: ignore[list-item]
     blocks = curve_blocks({"": named}, common_channels(named, channels), rig=rig, trial=trial)
     curves = tuple(block for block in blocks if isinstance(block, Viewer))
-    return Cell(page_html(Page(", ".join(named), (Section("Curves", curves),)), {}), height)
+    return EmbeddedPage(page_html(Page(", ".join(named), (Section("Curves", curves),)), {}), height)

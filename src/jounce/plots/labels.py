@@ -150,7 +150,7 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
     points = scale * axes.transData.transform(places)
     frame = scale * np.asarray(axes.bbox.extents)
     sizes = scale * np.array([[box.width, box.height] for box in boxes]).reshape(-1, 2)
-    layout = Layout(points, np.asarray(radii, dtype=float), sizes, frame[:2], frame[2:])
+    layout = LabelLayout(points, np.asarray(radii, dtype=float), sizes, frame[:2], frame[2:])
     for i, centre in enumerate(layout.placed()):
         is_away = float(np.hypot(*(layout.edge(i, centre[None])[0] - points[i]))) > radii[i] + 2.0 * _GAP
         line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.5, "shrinkB": float(radii[i])}
@@ -162,7 +162,7 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
 
 
 @dataclass(frozen=True)
-class Layout:
+class LabelLayout:
     """Discs to be named within a frame; everything in one unit, points of paper."""
 
     points: Array  # centres of the discs, shape (n, 2)
@@ -176,8 +176,9 @@ class Layout:
 
         Examples
         --------
-        >>> one = Layout(np.zeros((1, 2)), np.ones(1), np.array([[20.0, 8.0]]), np.full(2, -50.0), np.full(2, 50.0))
-        >>> one.placed().tolist()   # to the right of its point
+        >>> frame = np.full(2, -50.0), np.full(2, 50.0)
+        >>> layout = LabelLayout(np.zeros((1, 2)), np.ones(1), np.array([[20.0, 8.0]]), *frame)
+        >>> layout.placed().tolist()   # to the right of its point
         [[13.5, 0.0]]
         """
         options = [self._options(i) for i in range(len(self.points))]

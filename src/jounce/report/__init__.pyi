@@ -33,11 +33,11 @@ from .page import Fact as Fact
 from .page import Facts as Facts
 from .page import Findings as Findings
 from .page import Page as Page
+from .page import PageTable as PageTable
 from .page import Paragraph as Paragraph
 from .page import Picture as Picture
 from .page import Section as Section
 from .page import Subsection as Subsection
-from .page import Table as Table
 from .posterior import posterior_page as posterior_page
 from .protocol import write_protocol as write_protocol
 from .recordings import recordings_page as recordings_page

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from jounce.core.display import display_unit
 from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES, shown
 from jounce.plots.display import number, settled_number
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Section, Table
+from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Section
 
 if TYPE_CHECKING:
     from jounce.design.adjustment import Adjustment
@@ -34,16 +34,16 @@ def adjustment_page(found: Adjustment, *, title: str) -> Page:
     return Page(title, (Section("Answer", tuple(answer)),))
 
 
-def _states(states: dict[str, WheelState]) -> Table:
+def _states(states: dict[str, WheelState]) -> PageTable:
     rows = []
     for name, si in QUANTITIES.items():
         unit = display_unit(si)
         values = (getattr(state, name) for state in states.values())
         rows.append((name.replace("_", " "), unit.name or "–", *(settled_number(value, si, unit) for value in values)))
-    return Table("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
+    return PageTable("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
 
 
-def _effects(report: AdjustReport) -> Table:
+def _effects(report: AdjustReport) -> PageTable:
     """Write what each setting changes at both ends of its range, and per mm, degree or N."""
     units = {name: display_unit(si) for name, si in QUANTITIES.items()}
     rows: list[tuple[str, ...]] = []
@@ -57,7 +57,7 @@ def _effects(report: AdjustReport) -> Table:
         rows.append((f"    per {own.name}", *slopes))
     header = ("setting", *(unit.label(name.replace("_", " ")) for name, unit in units.items()))
     caption = "Effect of each setting: at both ends of its range, and per unit"
-    return Table(caption, header, tuple(rows), "l" + "r" * len(units))
+    return PageTable(caption, header, tuple(rows), "l" + "r" * len(units))
 
 
 def _slope(value: float | None, factor: float) -> str:
@@ -66,14 +66,14 @@ def _slope(value: float | None, factor: float) -> str:
     return number(0.0 if shown_value is not None and abs(shown_value) < _NOTHING else shown_value)
 
 
-def _over_travel(report: AdjustReport, *, is_changed: bool) -> Table:
+def _over_travel(report: AdjustReport, *, is_changed: bool) -> PageTable:
     """Write quantities over travel, each before and after."""
     found, along = report.over_travel, display_unit("m")
     when = ("before", "after") if is_changed else ("",)
     rows = tuple(row for name in found.before for row in _rows(report, name, when))
     places = (f"{travel * along.factor:.4g} {along.name}" for travel in found.travel)
     caption = "Over wheel travel, bump positive"
-    return Table(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(found.travel))
+    return PageTable(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(found.travel))
 
 
 def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tuple[str, ...]]:

@@ -11,14 +11,14 @@ from jounce.plots import figure_of
 from jounce.plots.display import digits_for, number, percent, quantity, ratio_unit
 from jounce.report.page import (
     Block,
-    Column,
     Fact,
     Facts,
     Findings,
     Page,
+    PageTable,
     Picture,
     Section,
-    Table,
+    TableColumn,
     table_of,
     worst_first,
 )
@@ -53,13 +53,13 @@ def statistics_page(found: RecordStatistics, *, title: str) -> Page:
     rows = [_levels(channel) for channel in found.channels]
     header = ("channel", "unit", "mean", "r.m.s.", "standard deviation", "minimum", "maximum")
     note = "± half of the 95 % interval, from the scatter of 20 parts of the record."
-    levels = Table("Level and range", header, tuple(rows), "llrrrrr", note)
+    levels = PageTable("Level and range", header, tuple(rows), "llrrrrr", note)
     shapes = (
-        Column("channel", [channel.channel for channel in found.channels]),
-        Column("crest factor", [channel.crest_factor for channel in found.channels], "1"),
-        Column("skewness", [channel.skewness for channel in found.channels], "1"),
-        Column("kurtosis", [channel.kurtosis for channel in found.channels], "1"),
-        Column("crossings per second", [channel.crossings for channel in found.channels], "Hz"),
+        TableColumn("channel", [channel.channel for channel in found.channels]),
+        TableColumn("crest factor", [channel.crest_factor for channel in found.channels], "1"),
+        TableColumn("skewness", [channel.skewness for channel in found.channels], "1"),
+        TableColumn("kurtosis", [channel.kurtosis for channel in found.channels], "1"),
+        TableColumn("crossings per second", [channel.crossings for channel in found.channels], "Hz"),
     )
     gauss = "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
     words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
@@ -119,7 +119,7 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
     )
     band = f"r.m.s. from {found.band[0]:.3g} to {found.band[1]:.4g} Hz"
     rows = tuple((row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in found.channels)
-    table = Table("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
+    table = PageTable("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
     words = "Power spectral density of each channel; shaded: its interval; circles: peaks."
     picture = Picture(lambda: figure_of(found), "spectra", words, words)
     blocks: list[Block] = [facts, table, *_said(found.findings), picture]
@@ -130,7 +130,7 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
             for row, peak in peaks
         )
         header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the valley beside it")
-        blocks.append(Table("Peaks", header, cells, "lrrr"))
+        blocks.append(PageTable("Peaks", header, cells, "lrrr"))
     return Page(title, (Section("Answer", tuple(blocks)),), _stretch(found.begin, found.end, found.sample_rate))
 
 
@@ -184,7 +184,7 @@ _ESTIMATORS = {
 }
 
 
-def _octaves(found: TransferEstimate) -> Table:
+def _octaves(found: TransferEstimate) -> PageTable:
     """Gain, phase and coherence at third octaves."""
     f = found.frequency
     wanted = 10.0 ** (np.arange(-20, 41) / 10.0)
@@ -207,7 +207,7 @@ def _octaves(found: TransferEstimate) -> Table:
     model = () if found.model is None else ("gain of the model",)
     header = ("frequency [Hz]", f"gain [{per}]", "phase [°]", "coherence", *model)
     note = f"At third octaves; ± half of the {100.0 * found.confidence:g} % interval."
-    return Table("Transfer function", header, rows, "r" * len(header), note)
+    return PageTable("Transfer function", header, rows, "r" * len(header), note)
 
 
 def _finite(value: float) -> float | None:
@@ -245,7 +245,7 @@ def measured_modes_page(found: FittedModes, *, title: str) -> Page:
     if has_model:
         words += " Dashed: modes of the model."
     picture = Picture(lambda: figure_of(found), "modes", words, words)
-    table = Table(f"Modes of {what}", header, rows, "r" * len(header), note)
+    table = PageTable(f"Modes of {what}", header, rows, "r" * len(header), note)
     blocks: list[Block] = [*([table] if rows else []), *_said(found.findings), picture]
     band = f"{found.band[0]:.3g} to {found.band[1]:.4g} Hz"
     subtitle = f"{band}; {_stretch(found.begin, found.end, found.sample_rate)}"
@@ -297,7 +297,7 @@ def integration_page(found: Integration, *, title: str) -> Page:
         "transient": "Removed: what offset and drift of the sensor would have added.",
         "periodic": "Removed: what does not repeat itself.",
     }[found.motion]
-    table = Table("Displacements", header, rows, "lrrrrr", note)
+    table = PageTable("Displacements", header, rows, "lrrrrr", note)
     speeds = tuple(
         (
             one.velocity_channel,
@@ -308,7 +308,7 @@ def integration_page(found: Integration, *, title: str) -> Page:
         )
         for one in found.channels
     )
-    velocity = Table("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
+    velocity = PageTable("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
     words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
     picture = Picture(lambda: figure_of(found), "integrated", words, words)
     blocks: list[Block] = [table, *_said(found.findings), picture, velocity]

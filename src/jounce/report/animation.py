@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.display import size
 from jounce.core.errors import DescriptionError
 from jounce.core.writing import Formats
-from jounce.plots.mechanisms.animation import FILMS, Motion, ffmpeg, film_poses, motion_of
+from jounce.plots.mechanisms.animation import FILMS, Animation, ffmpeg, film_poses, motion_of
 from jounce.plots.mechanisms.drawing import mechanism
 from jounce.report.live import Viewer
 from jounce.report.page import Details, Page, Picture, Section
@@ -113,7 +113,7 @@ def check_animation(path: Path | str, *, force: bool = False) -> Path:
     return file
 
 
-def _page(motion: Motion, rig: Corner, poses: xr.Dataset, trial: Trial | None) -> Page:
+def _page(motion: Animation, rig: Corner, poses: xr.Dataset, trial: Trial | None) -> Page:
     """The mechanism at large, beside the curves that it moves with."""
     shown = motion.poses
     (dimension,) = map(str, poses["wheel_centre.z"].dims)

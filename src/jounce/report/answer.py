@@ -14,7 +14,7 @@ from jounce.identify.estimate import Estimate
 from jounce.plots.display import estimate_cells, given, number
 from jounce.report.characterisation import unit_at
 from jounce.report.chart import Chart, Panel, Series
-from jounce.report.page import Cell, Table
+from jounce.report.page import Cell, PageTable
 
 if TYPE_CHECKING:
     from jounce.campaign.result import CampaignResult, StrategyResult
@@ -131,7 +131,7 @@ def _estimates(result: CampaignResult) -> Iterator[Estimate]:
     yield from (choice.at_strut for choice in bench.damping_choices if choice.at_strut is not None)
 
 
-def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> Table:
+def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> PageTable:
     """Values in a table: described, bench, updated model, the part, truth."""
     truth = any(one.truth is not None for one in found)
     laws = any(one.law is not None for one in found)
@@ -162,7 +162,7 @@ def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> Table:
         note += "The part: value of its law over the states ridden, with an interval that counts what the model lacks. "
     if truth:
         note += "Truth: the value behind the synthetic recordings."
-    return Table(
+    return PageTable(
         "From the rig file to the updated model",
         tuple(header),
         tuple(rows),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from jounce.core.display import size
-from jounce.report.page import Block, Column, Findings, Page, Paragraph, Section, quantity_table, table_of
+from jounce.report.page import Block, Findings, Page, Paragraph, Section, TableColumn, quantity_table, table_of
 
 if TYPE_CHECKING:
     from jounce.bench.drive import BeltSpeeds, DriveAssessment
@@ -35,11 +35,11 @@ def belt_speed_page(found: BeltSpeeds, *, title: str) -> Page:
         estimates = (counted.cylinder_speed, counted.speed)
         lows, highs = zip(*(one.interval or (None, None) for one in estimates), strict=True)
         columns = (
-            Column("quantity", ["cylinder speed [rad/s]", "belt speed [m/s]"]),
-            Column("value", [one.value for one in estimates], "1"),
-            Column("standard error", [one.standard_error for one in estimates], "1"),
-            Column("95 % interval, from", lows, "1"),
-            Column("to", highs, "1"),
+            TableColumn("quantity", ["cylinder speed [rad/s]", "belt speed [m/s]"]),
+            TableColumn("value", [one.value for one in estimates], "1"),
+            TableColumn("standard error", [one.standard_error for one in estimates], "1"),
+            TableColumn("95 % interval, from", lows, "1"),
+            TableColumn("to", highs, "1"),
         )
         note = f"One pulse corresponds to {size(counted.resolution, 'm/s', 'speed')}; "
         note += f"the obstacle recurs every {counted.recurrence_time:.4g} s."
@@ -54,10 +54,10 @@ def drive_page(found: DriveAssessment, *, title: str) -> Page:
         one = found.margin
         caption = f"Drive at {size(one.speed, 'm/s', 'speed')}, inverter at {one.inverter_frequency:.4g} Hz"
         columns = (
-            Column("", ["pull at the belt [N]", "power at the belt [W]", "torque of the motor [N m]", "margin"]),
-            Column("required", [one.required_force, one.required_power, one.required_torque, None], "1"),
-            Column("available", [one.available_force, one.available_power, one.rated_torque, one.margin], "1"),
-            Column("continuous", [one.continuous_force, None, None, one.continuous_margin], "1"),
+            TableColumn("", ["pull at the belt [N]", "power at the belt [W]", "torque of the motor [N m]", "margin"]),
+            TableColumn("required", [one.required_force, one.required_power, one.required_torque, None], "1"),
+            TableColumn("available", [one.available_force, one.available_power, one.rated_torque, one.margin], "1"),
+            TableColumn("continuous", [one.continuous_force, None, None, one.continuous_margin], "1"),
         )
         blocks.append(table_of(caption, columns))
     fastest = found.attainable
@@ -83,10 +83,10 @@ def similitude_page(found: SimilitudeReport, *, title: str) -> Page:
         ("body bounce frequency of a similar prototype", found.similar_frequency, "Hz"),
     ]
     columns = (
-        Column("quantity", [f"{one.name} [{one.unit}]" for one in found.factors]),
-        Column("full size / prototype", [one.factor for one in found.factors], "1"),
-        Column("prototype", [one.prototype for one in found.factors], "1"),
-        Column("full-size equivalent", [one.full_size for one in found.factors], "1"),
+        TableColumn("quantity", [f"{one.name} [{one.unit}]" for one in found.factors]),
+        TableColumn("full size / prototype", [one.factor for one in found.factors], "1"),
+        TableColumn("prototype", [one.prototype for one in found.factors], "1"),
+        TableColumn("full-size equivalent", [one.full_size for one in found.factors], "1"),
     )
     factors = table_of("Similitude under the same gravity", columns)
     return _page(title, [quantity_table("Mass and frequency", rows), factors], found.findings)
@@ -96,15 +96,15 @@ def spring_choice_page(found: SpringComparison, *, title: str) -> Page:
     """Put candidate springs side by side on a page, with the recommended one."""
     rows = found.rows
     columns = (
-        Column("", [row.name for row in rows]),
-        Column("spring rate", [row.spring_rate for row in rows], "N/m"),
-        Column("wheel rate", [row.wheel_rate for row in rows], "N/m"),
-        Column("static deflection", [row.static_deflection for row in rows], "m"),
-        Column("share of travel", [row.travel_share for row in rows], "1"),
-        Column("natural frequency", [row.natural_frequency for row in rows], "Hz"),
-        Column("on a rigid tyre", [row.natural_frequency_rigid_tyre for row in rows], "Hz"),
-        Column("damping ratio", [row.damping_ratio for row in rows], "1"),
-        Column("friction band", [row.friction_deflection for row in rows], "m"),
+        TableColumn("", [row.name for row in rows]),
+        TableColumn("spring rate", [row.spring_rate for row in rows], "N/m"),
+        TableColumn("wheel rate", [row.wheel_rate for row in rows], "N/m"),
+        TableColumn("static deflection", [row.static_deflection for row in rows], "m"),
+        TableColumn("share of travel", [row.travel_share for row in rows], "1"),
+        TableColumn("natural frequency", [row.natural_frequency for row in rows], "Hz"),
+        TableColumn("on a rigid tyre", [row.natural_frequency_rigid_tyre for row in rows], "Hz"),
+        TableColumn("damping ratio", [row.damping_ratio for row in rows], "1"),
+        TableColumn("friction band", [row.friction_deflection for row in rows], "m"),
     )
     return _page(title, [table_of("Candidates", columns), Paragraph(f"recommended: {found.chosen}")], found.findings)
 

@@ -30,10 +30,10 @@ from jounce.report.page import (
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Section,
     Subsection,
-    Table,
     Tone,
     sections_of,
     slug,
@@ -155,7 +155,7 @@ def campaign_summary(result: CampaignResult) -> Page:
     updated: list[Block] = [_overview(result)] if result.strategies else []
     for strategy in result.strategies:
         units = {path: parameter.unit for path, parameter in strategy.update.parameters.items()}
-        known = [block for block in discrepancy_blocks(strategy, units) if isinstance(block, Table)]
+        known = [block for block in discrepancy_blocks(strategy, units) if isinstance(block, PageTable)]
         updated += [replace(table, note="") for table in (_parameters(strategy, units), *known)]
     sections = {
         "Characterisation": replaced,
@@ -314,7 +314,7 @@ def published(result: CampaignResult) -> Section:
     return Section("Published result", (_reference_table(result),))
 
 
-def _reference_table(result: CampaignResult) -> Table:
+def _reference_table(result: CampaignResult) -> PageTable:
     rows = [
         (row.what, row.published, row.ours, Cell(row.verdict, _REPRODUCED[row.verdict]), row.follows)
         for row in beside_reference(result)
@@ -322,14 +322,14 @@ def _reference_table(result: CampaignResult) -> Table:
     source = result.campaign.reference.source if result.campaign.reference else ""
     header = ("statement", "published", "here", "verdict", "what follows")
     note = "A published reduction counts as reproduced within 10 percentage points, a parameter within our interval."
-    return Table(f"Beside the published result: {source}", header, tuple(rows), "lrrll", note)
+    return PageTable(f"Beside the published result: {source}", header, tuple(rows), "lrrll", note)
 
 
 def trials(result: CampaignResult) -> Section:
     """Every trial with its setting, and the roads."""
     rows = tuple(_setting(trial) for trial in result.trials)
     header = ("trial", "use", "speed", "road", "obstacle pitch", "strut angle", "tyre pressure", "recording")
-    blocks: list[Block] = [Table("Test matrix", header, rows, "llrlrrrl")]
+    blocks: list[Block] = [PageTable("Test matrix", header, rows, "llrlrrrl")]
     if any(trial.belt is not None for trial in result.trials):
         blocks.append(_belt_table(result))
     roads = _roads_of(result)
@@ -339,7 +339,7 @@ def trials(result: CampaignResult) -> Section:
     return Section("Trials and roads", tuple(blocks))
 
 
-def _belt_table(result: CampaignResult) -> Table:
+def _belt_table(result: CampaignResult) -> PageTable:
     """Speed of the belt as noted, by pulses and by recurrence; passages, and how far their loops are alike."""
     rows = []
     for trial in result.trials:
@@ -363,7 +363,7 @@ def _belt_table(result: CampaignResult) -> Table:
         )
     header = ("trial", "speed noted", "by pulses", "driven", "slip", "passages", "first at", "scatter between loops")
     note = "Scatter: r.m.s. of the differences between loops of the belt over the r.m.s. of their average."
-    return Table("Belt and passages", header, tuple(rows), "lrrrrrrl", note)
+    return PageTable("Belt and passages", header, tuple(rows), "lrrrrrrl", note)
 
 
 def _driven(entry: TrialEntry) -> str:
@@ -407,7 +407,7 @@ def validation(result: CampaignResult) -> Section:
     return Section("Validation", tuple(blocks))
 
 
-def _matrix(result: CampaignResult) -> Table:
+def _matrix(result: CampaignResult) -> PageTable:
     """Rating of every trial and channel before and after updating, at a glance."""
     channels = channels_of(result.trials)
     drawn = chosen_trials(result, _verdicts_of(result))
@@ -439,7 +439,7 @@ def _matrix(result: CampaignResult) -> Table:
         "trial shows its curves."
     )
     caption = "ISO/TS 18571 rating of every trial and channel, before and after updating"
-    return Table(caption, header, tuple(rows), "ll" + "r" * (2 * len(channels) + 1) + "l", note)
+    return PageTable(caption, header, tuple(rows), "ll" + "r" * (2 * len(channels) + 1) + "l", note)
 
 
 def _errors(result: CampaignResult) -> Chart:
@@ -478,7 +478,7 @@ def _errors(result: CampaignResult) -> Chart:
     return Chart(tuple(panels), "validation-residual", f"{words} Numbers are those of the trials.", words)
 
 
-def _validation_table(result: CampaignResult) -> Table:
+def _validation_table(result: CampaignResult) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for use in ("fit", "hold-out"):
         for trial in result.trials:
@@ -497,7 +497,7 @@ def _validation_table(result: CampaignResult) -> Table:
         "before",
         "verdict",
     )
-    return Table(
+    return PageTable(
         "Model compared with measurement, fitted trials first",
         header,
         tuple(rows),
@@ -593,7 +593,7 @@ def updates(result: CampaignResult) -> Section:
     return Section("Updates", tuple(blocks))
 
 
-def _overview(result: CampaignResult) -> Table:
+def _overview(result: CampaignResult) -> PageTable:
     rows = tuple(
         (
             one.name,
@@ -619,7 +619,7 @@ def _overview(result: CampaignResult) -> Table:
         "evaluations",
     )
     note = "Objective: weighted sum of squared differences over all channels and samples."
-    return Table("Results of the updates", header, rows, "lllrrrrr", note)
+    return PageTable("Results of the updates", header, rows, "lllrrrrr", note)
 
 
 def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
@@ -632,7 +632,9 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     blocks.append(_identifiability(strategy))
     if found.lags:
         rows = tuple((name, milliseconds(lag, 2)) for name, lag in found.lags.items())
-        blocks.append(Table("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr"))
+        blocks.append(
+            PageTable("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr")
+        )
     if found.findings:
         blocks.append(Findings(found.findings))
     return tuple(blocks)
@@ -668,7 +670,7 @@ def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -
     return Chart((panel,), file, caption, f"Fitted parameters of {found.name}: {fitted}.")
 
 
-def _correlation(strategy: StrategyResult) -> Table:
+def _correlation(strategy: StrategyResult) -> PageTable:
     found = strategy.update
     count = len(found.parameters)
     values = [row[:count] for row in found.correlation[:count]]
@@ -683,7 +685,7 @@ def _correlation(strategy: StrategyResult) -> Table:
         rows.append(tuple(cells))
     header = ("parameter", *(f"with {place}" for place in range(1, count + 1)))
     note = "– where a parameter is at a bound."
-    return Table("Correlation of the estimates", header, tuple(rows), "l" + "r" * count, note)
+    return PageTable("Correlation of the estimates", header, tuple(rows), "l" + "r" * count, note)
 
 
 _NOISE_ONLY = (
@@ -693,7 +695,7 @@ _NOISE_ONLY = (
 )
 
 
-def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
+def _parameters(strategy: StrategyResult, units: dict[str, str]) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for path, p in strategy.update.parameters.items():
         unit = display_unit(units[path], p.value)
@@ -702,7 +704,7 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
         fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
         rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
     header = ("parameter", "initial", "fitted", "standard error", "95 %, noise only", "bounds", "unit")
-    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", _NOISE_ONLY)
+    return PageTable(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", _NOISE_ONLY)
 
 
 def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:
@@ -734,7 +736,7 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
     )
     header = (*header, "unit", "mostly from", "verdict")
     return (
-        Table(
+        PageTable(
             "Parameters as the parts have them",
             header,
             tuple(rows),
@@ -748,7 +750,7 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
     )
 
 
-def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> Table | None:
+def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> PageTable | None:
     if not strategy.truth:
         return None
     rows = []
@@ -760,7 +762,7 @@ def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> Table | No
         "Truth: the value behind the synthetic recordings; of a tyre stiffness the slope at the static load, of a "
         "damping coefficient the one nearest to the damper's force over the velocities ridden."
     )
-    return Table("Fitted beside the truth", ("parameter", "fitted", "truth", "unit"), tuple(rows), "lrrl", note)
+    return PageTable("Fitted beside the truth", ("parameter", "fitted", "truth", "unit"), tuple(rows), "lrrl", note)
 
 
 def _mostly(shares: dict[str, float]) -> str:
@@ -787,7 +789,7 @@ def _counted(found: Discrepancy) -> str:
     )
 
 
-def _identifiability(strategy: StrategyResult) -> Table:
+def _identifiability(strategy: StrategyResult) -> PageTable:
     known = strategy.update.identifiability
     count = len(strategy.update.parameters)
     rows = tuple(
@@ -806,7 +808,7 @@ def _identifiability(strategy: StrategyResult) -> Table:
         "r.m.s. change of the weighted residuals from the middle of the bounds to one end."
     )
     caption = "Identifiability before the fit: sensitivities and expected correlations"
-    return Table(caption, header, rows, "lr" + "r" * count, note)
+    return PageTable(caption, header, rows, "lr" + "r" * count, note)
 
 
 _STRONG = 0.9
@@ -858,7 +860,7 @@ def _travel(found: ModelComparison) -> Chart:
     )
 
 
-def _differences(found: ModelComparison) -> Table:
+def _differences(found: ModelComparison) -> PageTable:
     rows = []
     for item in found.rows:
         pair = (item.spatial, item.lumped)
@@ -867,10 +869,10 @@ def _differences(found: ModelComparison) -> Table:
         rows.append((item.quantity, *texts, unit.name, item.why))
     header = ("quantity, about equilibrium", "3-D", "lumped", "unit", "reason")
     note = "Modes are computed without dry friction, which would suppress small motions."
-    return Table("Where the two models differ", header, tuple(rows), "lrrll", note)
+    return PageTable("Where the two models differ", header, tuple(rows), "lrrll", note)
 
 
-def _shares(found: ModelComparison) -> Table:
+def _shares(found: ModelComparison) -> PageTable:
     unit = display_unit("kg")
     rows = tuple(
         (
@@ -890,10 +892,10 @@ def _shares(found: ModelComparison) -> Table:
         "Travel ratio: vertical travel of the body's centre of mass per wheel travel. "
         "Inertance: additional effective mass due to rotation and lateral motion."
     )
-    return Table("Contribution of each body to sprung and unsprung mass", header, rows, "lrrrrr", note)
+    return PageTable("Contribution of each body to sprung and unsprung mass", header, rows, "lrrrrr", note)
 
 
-def _peaks(peaks: tuple[PeakDifference, ...]) -> Table:
+def _peaks(peaks: tuple[PeakDifference, ...]) -> PageTable:
     rows = []
     for k, peak in enumerate(peaks):
         unit = display_unit(peak.unit, peak.spatial)
@@ -911,7 +913,7 @@ def _peaks(peaks: tuple[PeakDifference, ...]) -> Table:
         )
     header = ("trial", "channel", "3-D", "lumped", "unit", "difference")
     note = "Largest absolute values; each trial with its own strut angle and tyre. No measurements are involved."
-    return Table("Peak values of every trial in both models", header, tuple(rows), "llrrlr", note)
+    return PageTable("Peak values of every trial in both models", header, tuple(rows), "llrrlr", note)
 
 
 _DEFINITIONS = (
@@ -989,7 +991,9 @@ def method(result: CampaignResult) -> Section:
         listed = ", ".join(result.rig.estimated)
         blocks.append(Paragraph(f"Estimated in the rig file, because no source gives them: {listed}."))
     blocks += [
-        Subsection("Definitions", (Table("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),)),
+        Subsection(
+            "Definitions", (PageTable("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),)
+        ),
         Subsection("Sources", (Bullets(_SOURCES),)),
     ]
     return Section("Method and definitions", tuple(blocks))

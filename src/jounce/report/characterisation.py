@@ -19,7 +19,7 @@ from jounce.parts.rig import shown_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
-from jounce.report.page import Block, Details, Paragraph, Section, Subsection, Table, as_table, unique_slugs
+from jounce.report.page import Block, Details, PageTable, Paragraph, Section, Subsection, as_table, unique_slugs
 
 if TYPE_CHECKING:
     from jounce.campaign.characterise import DampingChoice
@@ -70,7 +70,7 @@ def unit_at(rig: Rig, path: str) -> str:
         return "1"
 
 
-def replaced_table(result: CampaignResult) -> Table:
+def replaced_table(result: CampaignResult) -> PageTable:
     """Values of the rig that measured ones take the place of."""
     rows = []
     for item in result.characterisation.replaced:
@@ -80,7 +80,7 @@ def replaced_table(result: CampaignResult) -> Table:
         error = "–" if item.standard_error is None else number(item.standard_error * unit.factor, 2)
         described = "–" if item.described is None else number(item.described * unit.factor)
         rows.append((item.path, described, number(item.measured * unit.factor), error, unit.name, item.source))
-    return Table(
+    return PageTable(
         "Rig parameters replaced by measured values",
         ("parameter", "rig file", "measured", "standard error", "unit", "source"),
         tuple(rows),
@@ -146,7 +146,7 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
         note.append(f"extrapolated to zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
     if found.exponent is not None:
         note.append(f"exponent of the power law {number(found.exponent, 3)}")
-    table = Table(
+    table = PageTable(
         "Tyre stiffness against inflation pressure",
         ("pressure", *ESTIMATE[1:]),
         rows,
@@ -206,7 +206,7 @@ def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: s
     return Chart(decay_panels(one, time, signal, name), file, caption, alternative, columns=3)
 
 
-def decay_table(found: DecayResult | CombinedDecay, caption: str) -> Table:
+def decay_table(found: DecayResult | CombinedDecay, caption: str) -> PageTable:
     """What one or several free decays say of damping."""
     fields = [field for field in fields_of(found) if hasattr(field.value, "interval")]
     word = MOTIONS[found.motion].inertia_word
@@ -220,7 +220,7 @@ _METHODS = {
 }
 
 
-def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
+def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
     damping = display_unit("N*s/m")
     rows = tuple(
         (
@@ -233,7 +233,7 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
         )
         for choice in choices
     )
-    return Table(
+    return PageTable(
         "What each way to read the decays means for the damper",
         ("way", "damping ratio", damping.label("of the sprung mass"), damping.label("at the strut"), "used"),
         rows,
@@ -248,7 +248,7 @@ def _with_interval(value: str, _error: str, interval: str, _unit: str) -> str:
     return f"{value} ({interval})" if interval != "–" else value
 
 
-def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> Table:
+def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> PageTable:
     """Every one of several decays, one row each."""
     motion = MOTIONS[decays[0].motion]
     rows = tuple(
@@ -266,7 +266,7 @@ def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> Table:
         )
         for name, d in zip(names, decays, strict=True)
     )
-    return Table(
+    return PageTable(
         "Individual decays (with 95 % intervals)",
         (
             "record",

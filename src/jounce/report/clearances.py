@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.report.page import Block, Column, Findings, Page, Section, table_of
+from jounce.report.page import Block, Findings, Page, Section, TableColumn, table_of
 
 if TYPE_CHECKING:
     from jounce.kinematics.clearance_study import ClearanceStudy
@@ -15,9 +15,11 @@ def clearances_page(found: ClearanceStudy, *, title: str) -> Page:
     least, blocks = found.least, list[Block]()
     if least:
         columns = {"clearance": "least clearance", "wheel_travel": "at travel", "rack_travel": "at rack"}
-        numbers = (Column(label, [one[key] for one in least.values()], "m") for key, label in columns.items())
-        blocks.append(table_of("Clearances, negative where bodies overlap", (Column("between", [*least]), *numbers)))
-    lengths = (Column("between", [*found.lengths]), Column("length", [*found.lengths.values()], "m"))
+        numbers = (TableColumn(label, [one[key] for one in least.values()], "m") for key, label in columns.items())
+        blocks.append(
+            table_of("Clearances, negative where bodies overlap", (TableColumn("between", [*least]), *numbers))
+        )
+    lengths = (TableColumn("between", [*found.lengths]), TableColumn("length", [*found.lengths.values()], "m"))
     blocks.append(table_of("Lengths of links at design", lengths))
     if found.findings:
         blocks.append(Findings(found.findings))

@@ -9,13 +9,13 @@ from jounce.plots.display import number, percent, quantity, raised
 from jounce.report.page import (
     Block,
     Cell,
-    Column,
     Fact,
     Facts,
     Findings,
     Page,
+    PageTable,
     Section,
-    Table,
+    TableColumn,
     Tone,
     picture_of,
     table_of,
@@ -74,7 +74,7 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
         picture_of(found, "optimisation", words),
-        Table("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
+        PageTable("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
         title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {raised(found.driven)}"
@@ -109,7 +109,7 @@ def _change(found: Optimisation, name: str) -> str:
     return ("+" if change and change > 0.0 else "") + percent(change)
 
 
-def _numbers(found: Sequence[DesignNumber]) -> Table:
+def _numbers(found: Sequence[DesignNumber]) -> PageTable:
     rows = []
     for one in found:
         unit = display_unit(one.unit, max(abs(one.lower), abs(one.upper)))
@@ -118,10 +118,10 @@ def _numbers(found: Sequence[DesignNumber]) -> Table:
         at = Cell(f"at its {one.at} bound", "fair") if one.at else "within"
         rows.append((one.path, unit.name or "–", *values, at, flat))
     header = ("number", "unit", "start", "best", "lower bound", "upper bound", "", "objective within 1 %")
-    return Table("Numbers of the design", header, tuple(rows), "llrrrrlr")
+    return PageTable("Numbers of the design", header, tuple(rows), "llrrrrlr")
 
 
-def _limits(found: Sequence[DesignConstraint]) -> Table:
+def _limits(found: Sequence[DesignConstraint]) -> PageTable:
     rows = []
     for one in found:
         unit = display_unit(one.unit, max(abs(one.start), abs(one.value)))
@@ -139,7 +139,7 @@ def _limits(found: Sequence[DesignConstraint]) -> Table:
         )
     header = ("limit", "unit", "start", "best", "at least", "at most", "", "gain")
     note = "Gain: change of the objective in % where the limit is loosened by 1 %."
-    return Table("Limits", header, tuple(rows), "llrrrrlr", note)
+    return PageTable("Limits", header, tuple(rows), "llrrrrlr", note)
 
 
 def front_page(front: ParetoFront, *, title: str) -> Page:
@@ -164,18 +164,18 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     tone: Tone = "good" if front.converged else "bad"
     facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
     marks = (
-        Column("design", [mark.name for mark in front.marks]),
-        Column("by", [mark.kind for mark in front.marks]),
+        TableColumn("design", [mark.name for mark in front.marks]),
+        TableColumn("by", [mark.kind for mark in front.marks]),
         *(
-            Column(front.metrics[role], [getattr(mark, role) for mark in front.marks], front.units[role])
+            TableColumn(front.metrics[role], [getattr(mark, role) for mark in front.marks], front.units[role])
             for role in roles
         ),
-        Column("dampers", [_dampers(mark, front.number_units) for mark in front.marks]),
+        TableColumn("dampers", [_dampers(mark, front.number_units) for mark in front.marks]),
     )
     designs = (
-        Column("design", [str(i + 1) for i in range(len(front.comfort))]),
-        *(Column(front.metrics[role], getattr(front, role).tolist(), front.units[role]) for role in roles),
-        *(Column(path, values.tolist(), front.number_units[path]) for path, values in front.numbers.items()),
+        TableColumn("design", [str(i + 1) for i in range(len(front.comfort))]),
+        *(TableColumn(front.metrics[role], getattr(front, role).tolist(), front.units[role]) for role in roles),
+        *(TableColumn(path, values.tolist(), front.number_units[path]) for path, values in front.numbers.items()),
     )
     words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
     picture = picture_of(front, "front", words)
@@ -215,14 +215,14 @@ def springs_page(design: SpringDesign, *, title: str) -> Page:
         for name, of in (("present", wheel.present), ("target", wheel.wanted))
     ]
     columns = (
-        Column("wheel", [wheel.place or "wheel" for wheel, _, _ in rows]),
-        Column("", [name for _, name, _ in rows]),
-        Column("sprung mass", [wheel.sprung_mass for wheel, _, _ in rows], "kg"),
-        Column("frequency", [of.frequency_hz for _, _, of in rows], "Hz"),
-        Column("damping ratio", [of.damping_ratio for _, _, of in rows], "1"),
-        Column("spring rate", [of.spring_rate for _, _, of in rows], "N/m"),
-        Column("damping", [of.damping_coefficient for _, _, of in rows], "N*s/m"),
-        Column("sag", [of.static_deflection for _, _, of in rows], "m"),
+        TableColumn("wheel", [wheel.place or "wheel" for wheel, _, _ in rows]),
+        TableColumn("", [name for _, name, _ in rows]),
+        TableColumn("sprung mass", [wheel.sprung_mass for wheel, _, _ in rows], "kg"),
+        TableColumn("frequency", [of.frequency_hz for _, _, of in rows], "Hz"),
+        TableColumn("damping ratio", [of.damping_ratio for _, _, of in rows], "1"),
+        TableColumn("spring rate", [of.spring_rate for _, _, of in rows], "N/m"),
+        TableColumn("damping", [of.damping_coefficient for _, _, of in rows], "N*s/m"),
+        TableColumn("sag", [of.static_deflection for _, _, of in rows], "m"),
     )
     tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
     blocks: list[Block] = [table_of(f"Springs and dampers, {tyre}", columns)]
@@ -268,7 +268,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     ]
     header = ("", *(unit.label(name) for name, unit in units.items()))
     first = next(iter(front.goals))
-    every = Table(f"From the least {first} on", header, tuple(rows), "r" * len(header))
+    every = PageTable(f"From the least {first} on", header, tuple(rows), "r" * len(header))
     words = (
         "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
     )

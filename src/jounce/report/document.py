@@ -22,9 +22,9 @@ from jounce.report.page import (
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
-    Table,
     alignments,
     grouped,
     slug,
@@ -85,7 +85,7 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         return {"kind": kind, "text": block.text, "tone": block.tone}
     if isinstance(block, Bullets):
         return {"kind": kind, "items": list(block.items)}
-    if isinstance(block, Table):
+    if isinstance(block, PageTable):
         return {"kind": kind, **_table(block)}
     if isinstance(block, Picture | Chart):
         names = list(figures[block.name])
@@ -129,7 +129,7 @@ _WIDE, _WIDE_NAME = 22, 44
 """Letters from which a column of text, and the first one, shares what room is left."""
 
 
-def _table(table: Table) -> dict[str, Any]:
+def _table(table: PageTable) -> dict[str, Any]:
     align = alignments(table)
     rows = [[_cell(cell) for cell in row] for row in table.rows]
     longest = [
@@ -156,9 +156,9 @@ def _cell(cell: Cell | str) -> dict[str, str]:
     return {"text": cell.text, "tone": cell.tone, "note": cell.note}
 
 
-def tables_of(page: Page) -> dict[str, Table]:
+def tables_of(page: Page) -> dict[str, PageTable]:
     """Every table of a page by a file name, in order: ``01-parameters-of-strategy-1``."""
-    found = [block for block in page.blocks() if isinstance(block, Table)]
+    found = [block for block in page.blocks() if isinstance(block, PageTable)]
     return {f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table for k, table in enumerate(found, 1)}
 
 
@@ -179,12 +179,12 @@ def value_of(cell: Cell | str) -> float | str:
     return f"{text} ({note})" if note else text
 
 
-def table_csv(table: Table) -> str:
+def table_csv(table: PageTable) -> str:
     """Write a table as CSV: numbers with a point, texts that a spreadsheet would take for formulas with a ``'``.
 
     Examples
     --------
-    >>> print(table_csv(Table("t", ("name", "value [mm]"), (("=1+1", "−0.50"),))), end="")
+    >>> print(table_csv(PageTable("t", ("name", "value [mm]"), (("=1+1", "−0.50"),))), end="")
     name,value [mm]
     '=1+1,-0.50
     """

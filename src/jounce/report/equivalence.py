@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from jounce.plots.display import number, percent
 from jounce.plots.inspection import equivalence
-from jounce.report.page import Block, Cell, Page, Paragraph, Picture, Section, Table
+from jounce.report.page import Block, Cell, Page, PageTable, Paragraph, Picture, Section
 
 if TYPE_CHECKING:
     from jounce.inspection.equivalence import Equivalence, Factor
@@ -47,7 +47,7 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
         f"(estimated). {study.tests} simulated tests, limits {study.limits}."
     )
     words = "Wear from which each method rejects, over each quantity that varies; dots at the top: never rejected."
-    table = Table("Where the tests disagree with the damper", header, rows)
+    table = PageTable("Where the tests disagree with the damper", header, rows)
     answer: tuple[Block, ...] = (table, Paragraph(about, "muted"))
     curves = Section("Over what varies", (Picture(lambda: equivalence(study), "equivalence", words, words),))
     return Page(title, (Section("Answer", answer), curves), "Adhesion, phase angle and THETA of the same wheel")

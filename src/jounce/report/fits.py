@@ -16,10 +16,10 @@ from jounce.report.page import (
     Details,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
     Section,
-    Table,
     as_table,
     unique_slugs,
 )
@@ -191,7 +191,7 @@ def hardpoints_page(found: HardpointFit, *, title: str) -> Page:
     ]
     header = ("number", "before", "found", "by", "95 % interval of the change", "unit")
     note = f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses."
-    points = Table("Points", header, tuple(rows), "lrrrrl", note)
+    points = PageTable("Points", header, tuple(rows), "lrrrrl", note)
     left = as_table(group_table("What is left, root mean square", found.quantities))
     return _page(title, [points, left, *_said(found.findings)], "Hardpoints from measured poses")
 

@@ -8,7 +8,7 @@ from jounce.inspection.methods import QUANTITIES
 from jounce.inspection.reasons import verdict_words
 from jounce.plots.display import number
 from jounce.plots.inspection import vehicle_history
-from jounce.report.page import Block, Cell, Page, Picture, Section, Table, Tone
+from jounce.report.page import Block, Cell, Page, PageTable, Picture, Section, Tone
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -50,7 +50,7 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
             for one in trends
             if one.quantity in QUANTITIES
         )
-        answer.insert(0, Table("Change per year", ("wheel", "value", "per year", "visits"), rows, "llrr"))
+        answer.insert(0, PageTable("Change per year", ("wheel", "value", "per year", "visits"), rows, "llrr"))
     names = list(dict.fromkeys(name for one in visits for name in one.values if name in QUANTITIES))
     every = tuple(
         (
@@ -63,7 +63,9 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
         for one in visits
     )
     header = ("date", "wheel", *(QUANTITIES[name].words() for name in names), "verdict", "record")
-    table = Table("Every wheel at every visit, by the newest grading", header, every, "ll" + "r" * len(names) + "lr")
+    table = PageTable(
+        "Every wheel at every visit, by the newest grading", header, every, "ll" + "r" * len(names) + "lr"
+    )
     return Page(
         title, (Section("Answer", tuple(answer)), Section("Visits", (table,))), "History of the shock absorbers"
     )

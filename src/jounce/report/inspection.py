@@ -8,7 +8,7 @@ from jounce.inspection.quantities import NUMBERS
 from jounce.inspection.reasons import verdict_words
 from jounce.inspection.result import wheel_table
 from jounce.plots.display import number
-from jounce.report.page import Block, Bullets, Fact, Facts, Findings, Page, Section, Table, Tone, as_table
+from jounce.report.page import Block, Bullets, Fact, Facts, Findings, Page, PageTable, Section, Tone, as_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -53,7 +53,7 @@ def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
         Bullets(tuple(reasons)),
         Findings((*graded.inspection.findings, *weakening)),
     )
-    return tuple(block for block in blocks if isinstance(block, Table) or block.items)
+    return tuple(block for block in blocks if isinstance(block, PageTable) or block.items)
 
 
 def wheel_page(wheel: WheelResult, *, title: str) -> Page:
@@ -103,7 +103,7 @@ def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: st
         for lost, wheel in zip(wear, wheels, strict=True)
     )
     header = ("wear", *(one.label() for one in shown), "verdict")
-    table = Table("Over damper wear", header, rows, "r" * (len(shown) + 1) + "l")
+    table = PageTable("Over damper wear", header, rows, "r" * (len(shown) + 1) + "l")
     return Page(title, (Section("Answer", (table,)),))
 
 

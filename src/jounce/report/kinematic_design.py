@@ -10,7 +10,19 @@ from jounce.core.display import display_unit
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import number
 from jounce.plots.kinematic_design import design_pictures
-from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page, Picture, Section, Subsection, Table
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Cell,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    PageTable,
+    Picture,
+    Section,
+    Subsection,
+)
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
@@ -112,7 +124,7 @@ def _fight(found: KinematicDesign, fight: Any) -> str:
     return f"{missed} fights {other}: what brings one nearer takes the other away ({number(fight.cosine, 2)})."
 
 
-def _targets(found: KinematicDesign) -> Table:
+def _targets(found: KinematicDesign) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for target in found.targets:
         unit = display_unit(target.unit, float(np.max(np.abs(target.after))))
@@ -128,7 +140,7 @@ def _targets(found: KinematicDesign) -> Table:
         )
     header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
     note = "Curves are given by their least and greatest value; where each pose wants its own, by the farthest from it."
-    return Table("Targets", header, tuple(rows), "llrrrrl", note)
+    return PageTable("Targets", header, tuple(rows), "llrrrrl", note)
 
 
 def _name(target: TargetResult) -> str:
@@ -159,16 +171,16 @@ def _wanted(target: TargetResult, factor: float) -> str:
     return "0 from it" if target.has_curve else _span(target.wanted, factor)
 
 
-def _moved(found: KinematicDesign) -> Table:
+def _moved(found: KinematicDesign) -> PageTable:
     rows = []
     for path, change in found.moved.items():
         unit = display_unit("m" if "hardpoints." in path else "1", 0.1)
         ends = (change.before, change.after, change.after - change.before)
         rows.append((path, unit.name or "SI", *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends)))
-    return Table("Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr")
+    return PageTable("Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr")
 
 
-def _identified(found: KinematicDesign) -> Table:
+def _identified(found: KinematicDesign) -> PageTable:
     rows = []
     for one in found.identified:
         unit = display_unit(one.unit, 0.1)
@@ -178,10 +190,10 @@ def _identified(found: KinematicDesign) -> Table:
         "Standard deviation of each number where the curves are known to their tolerances: all others known, and all "
         "sought at once. A dash: the curves do not tell it."
     )
-    return Table("What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note)
+    return PageTable("What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note)
 
 
-def _spread(name: str, spread: KinematicSpread) -> Table:
+def _spread(name: str, spread: KinematicSpread) -> PageTable:
     unit = display_unit("m")
     adjusted = number(100.0 * spread.met_adjusted, 3) if spread.adjustments else "–"
     rows = [
@@ -198,7 +210,7 @@ def _spread(name: str, spread: KinematicSpread) -> Table:
     ]
     head = f"{spread.cars} cars of {name}" if name else f"{spread.cars} cars"
     note = "Shares of the cars as built and adjusted; of an adjustment the range that 95 % of the cars need."
-    return Table(head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note)
+    return PageTable(head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note)
 
 
 def _curves(found: KinematicDesign, title: str) -> tuple[Block, ...]:

@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.report.page import Bullets, Column, Fact, Facts, Findings, Page, Paragraph, Section, Table, table_of
+from jounce.report.page import (
+    Bullets,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    PageTable,
+    Paragraph,
+    Section,
+    TableColumn,
+    table_of,
+)
 
 if TYPE_CHECKING:
     from jounce.campaign.from_folder import FolderCampaign
@@ -18,10 +29,10 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
     files = table_of(
         "Files",
         (
-            Column("file", [item.file.name for item in made.files]),
-            Column("is", [item.kind for item in made.files]),
-            Column("trial", ["" if item.number is None else str(item.number) for item in made.files]),
-            Column("because", [item.why for item in made.files]),
+            TableColumn("file", [item.file.name for item in made.files]),
+            TableColumn("is", [item.kind for item in made.files]),
+            TableColumn("trial", ["" if item.number is None else str(item.number) for item in made.files]),
+            TableColumn("because", [item.why for item in made.files]),
         ),
     )
     return Page(title or "Campaign of a folder", (Section("Files", (files, Findings(made.findings))),))
@@ -35,23 +46,23 @@ def calibration_page(found: Calibration, *, title: str = "") -> Page:
     results = table_of(
         "Calibration",
         (
-            Column("quantity", [name for name, _ in rows]),
-            Column("value", [f"{item.value:.6g}" for _, item in rows]),
-            Column("standard error", [_text(item.standard_error) for _, item in rows]),
-            Column(
+            TableColumn("quantity", [name for name, _ in rows]),
+            TableColumn("value", [f"{item.value:.6g}" for _, item in rows]),
+            TableColumn("standard error", [_text(item.standard_error) for _, item in rows]),
+            TableColumn(
                 "95 % interval",
                 ["" if item.interval is None else " to ".join(map(_text, item.interval)) for _, item in rows],
             ),
-            Column("unit", list(units)),
+            TableColumn("unit", list(units)),
         ),
     )
     line = [found.zero.value + found.sensitivity.value * x for x in found.reference]
     points = table_of(
         "Points",
         (
-            Column(f"reference [{found.quantity_unit}]", [f"{x:.6g}" for x in found.reference]),
-            Column(f"recorded [{recorded}]", [f"{y:.6g}" for y in found.recorded]),
-            Column(
+            TableColumn(f"reference [{found.quantity_unit}]", [f"{x:.6g}" for x in found.reference]),
+            TableColumn(f"recorded [{recorded}]", [f"{y:.6g}" for y in found.recorded]),
+            TableColumn(
                 f"off the line [{recorded}]", [f"{y - fit:+.2g}" for y, fit in zip(found.recorded, line, strict=True)]
             ),
         ),
@@ -65,13 +76,13 @@ def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
     table = table_of(
         f"Models of {found.update}",
         (
-            Column("model", [row.model for row in models]),
-            Column("parameters", [str(row.parameters) for row in models]),
-            Column("AIC above least", [f"{row.aic:.1f}" for row in models]),
-            Column("BIC above least", [f"{row.bic:.1f}" for row in models]),
-            Column("least R2, fitted", [_text(row.fitted) for row in models]),
-            Column("least R2, held out", [_text(row.held_out) for row in models]),
-            Column("held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]),
+            TableColumn("model", [row.model for row in models]),
+            TableColumn("parameters", [str(row.parameters) for row in models]),
+            TableColumn("AIC above least", [f"{row.aic:.1f}" for row in models]),
+            TableColumn("BIC above least", [f"{row.bic:.1f}" for row in models]),
+            TableColumn("least R2, fitted", [_text(row.fitted) for row in models]),
+            TableColumn("least R2, held out", [_text(row.held_out) for row in models]),
+            TableColumn("held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]),
         ),
         "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
     )
@@ -98,10 +109,10 @@ def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
     card = table_of(
         "Channels of the card",
         (
-            Column("column", [column for column, _, _ in sheet.channels]),
-            Column("measures", [measures for _, measures, _ in sheet.channels]),
-            Column("sensitivity", [text for _, _, text in sheet.channels]),
-            Column("checked", ["" for _ in sheet.channels]),
+            TableColumn("column", [column for column, _, _ in sheet.channels]),
+            TableColumn("measures", [measures for _, measures, _ in sheet.channels]),
+            TableColumn("sensitivity", [text for _, _, text in sheet.channels]),
+            TableColumn("checked", ["" for _ in sheet.channels]),
         ),
     )
     trials = table_of("Trials in the order of the least setting up", _trial_columns(sheet))
@@ -122,35 +133,35 @@ _TAUGHT = (
 )
 
 
-def _trial_columns(sheet: TestSheet) -> list[Column]:
+def _trial_columns(sheet: TestSheet) -> list[TableColumn]:
     trials = sheet.trials
     shown = [
-        Column("trial", [str(trial.number) for trial in trials]),
-        Column("speed", [trial.speed for trial in trials], "m/s"),
-        Column("angle", [trial.angle for trial in trials], "rad"),
-        Column("pressure", [trial.pressure for trial in trials], "Pa"),
-        Column("obstacles", [str(trial.obstacles) for trial in trials]),
-        Column("pitch", [trial.pitch for trial in trials], "m"),
-        Column("returns after", [trial.returns for trial in trials], "s"),
+        TableColumn("trial", [str(trial.number) for trial in trials]),
+        TableColumn("speed", [trial.speed for trial in trials], "m/s"),
+        TableColumn("angle", [trial.angle for trial in trials], "rad"),
+        TableColumn("pressure", [trial.pressure for trial in trials], "Pa"),
+        TableColumn("obstacles", [str(trial.obstacles) for trial in trials]),
+        TableColumn("pitch", [trial.pitch for trial in trials], "m"),
+        TableColumn("returns after", [trial.returns for trial in trials], "s"),
     ]
     shown += [
-        Column(f"peak {name}", [trial.peaks.get(name) for trial in trials], "m/s^2")
+        TableColumn(f"peak {name}", [trial.peaks.get(name) for trial in trials], "m/s^2")
         for name in ("sprung.az", "unsprung.az")
     ]
-    return [*shown, Column("file, remarks", ["" for _ in trials])]
+    return [*shown, TableColumn("file, remarks", ["" for _ in trials])]
 
 
-def _taught(sheet: TestSheet) -> Table:
+def _taught(sheet: TestSheet) -> PageTable:
     """Standard error of each parameter by each trial alone."""
     paths = dict.fromkeys(path for trial in sheet.trials for path in trial.teaches)
     columns = [
-        Column(
+        TableColumn(
             path.replace(".", " ").replace("_", " "),
             [f"{100.0 * trial.teaches[path]:.2g} %" if path in trial.teaches else "–" for trial in sheet.trials],
         )
         for path in paths
     ]
-    names = Column("trial", [str(trial.number) for trial in sheet.trials])
+    names = TableColumn("trial", [str(trial.number) for trial in sheet.trials])
     return table_of("What each trial would teach: standard error of a parameter", (names, *columns), _TAUGHT)
 
 
@@ -160,8 +171,8 @@ def _exercise(sheet: TestSheet) -> list[Section]:
     blank = ["" for _ in numbers]
     quantities = ("peak sprung.az", "peak unsprung.az", "natural frequency of the body", "of the wheel")
 
-    def form(caption: str, *columns: str) -> Table:
-        return table_of(caption, (Column("trial", numbers), *(Column(name, blank) for name in columns)))
+    def form(caption: str, *columns: str) -> PageTable:
+        return table_of(caption, (TableColumn("trial", numbers), *(TableColumn(name, blank) for name in columns)))
 
     questions = (
         "Which parameter decides the first peak of the wheel, and why does the body hardly feel it?",

@@ -54,7 +54,7 @@ class Pane:
 
 
 @dataclass(frozen=True)
-class Mechanism:
+class PosedRig:
     """A 3-D rig with its poses over the travel of its wheel, the body at its design position; or each as it was.
 
     What ``poses`` are counted by is what the ``travel`` of a motion says.
@@ -73,7 +73,7 @@ class Motion:
     ``travel`` finds the pose of the mechanism, whatever its poses are counted by.
     """
 
-    mechanism: Mechanism
+    mechanism: PosedRig
     body: Array
     travel: Array
     ground: Array
@@ -83,7 +83,7 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class Scene:
+class ViewerScene:
     """What one choice shows.
 
     Attributes
@@ -123,7 +123,7 @@ class Viewer:
     """
 
     title: str
-    scenes: tuple[Scene, ...]
+    scenes: tuple[ViewerScene, ...]
     roles: tuple[tuple[str, str, bool], ...]
     caption: str = ""
     words: str = "time"
@@ -151,7 +151,7 @@ def named_words(name: str, words: str) -> str:
     return words if words.startswith((name, name.replace("_", " "))) else f"{name}, {words}"
 
 
-def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
+def scene_panels(scene: ViewerScene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
     """Give a scene's curves as panels of a figure that does not move: what is shown first, of some roles (or all)."""
     panes = [pane for pane in scene.panes if pane.shown] or list(scene.panes[:1])
     is_alone = len({curve.role for pane in panes for curve in pane.curves if not roles or curve.role in roles}) < 2
@@ -188,7 +188,7 @@ _GAP = 65535
 
 
 @dataclass
-class Packed:
+class PageArrays:
     """Collects the arrays of a page, each of them once."""
 
     arrays: list[dict[str, Any]] = field(default_factory=list)
@@ -264,7 +264,7 @@ class Straight:
 
 def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
     """Give the content of the viewers of a page as plain data."""
-    packed = Packed()
+    packed = PageArrays()
     content = _content(viewers, packed)
     return content | {"packed": packed.text()}
 
@@ -280,7 +280,7 @@ def live_bytes(viewers: Sequence[Viewer], more: Mapping[str, Any]) -> bytes:
     return b"".join((len(header).to_bytes(4, "little"), header, *straight.parts))
 
 
-def _content(viewers: Sequence[Viewer], packed: Packed | Straight) -> dict[str, Any]:
+def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[str, Any]:
     mechanisms: dict[int, tuple[int, dict[str, Any]]] = {}
 
     def motion(one: Motion | None, keep: Whole) -> dict[str, Any] | None:
@@ -298,7 +298,7 @@ def _content(viewers: Sequence[Viewer], packed: Packed | Straight) -> dict[str, 
         tracks = {name: packed.add(1e3 * getattr(one, name)[keep]) for name in ("body", "travel", "ground")}
         return {"mechanism": index, **tracks, "load": packed.add(one.load[keep]), "road": road}
 
-    def scene(one: Scene) -> dict[str, Any]:
+    def scene(one: ViewerScene) -> dict[str, Any]:
         keep = _kept(one)
         return {
             "name": one.name,
@@ -342,7 +342,7 @@ def _content(viewers: Sequence[Viewer], packed: Packed | Straight) -> dict[str, 
     }
 
 
-def _kept(scene: Scene) -> Whole:
+def _kept(scene: ViewerScene) -> Whole:
     """Samples that are put into the page: all of them, or of a long record those that show its peaks."""
     n = len(scene.x)
     if n <= _MOST_SAMPLES:
@@ -354,7 +354,7 @@ def _kept(scene: Scene) -> Whole:
     return np.unique(np.concatenate([thinned(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
 
 
-def mechanism_data(one: Mechanism, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
+def mechanism_data(one: PosedRig, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
     """Give a mechanism and its poses over travel as plain data in mm; places as indices where ``add`` takes them."""
     placed = (lambda values: add(1e3 * values)) if add else _mm
     drawing, poses = one.drawing, one.poses

@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots.display import number
-from jounce.report.page import Block, Findings, Page, Picture, Section, Subsection, Table, slug
+from jounce.report.page import Block, Findings, Page, PageTable, Picture, Section, Subsection, slug
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -83,7 +83,9 @@ def _drawn(rig: Corner, found: xr.Dataset, case: str) -> Subsection:
     return Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, found, case), slug(case), words, words),))
 
 
-def _table(caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]) -> Table:
+def _table(
+    caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]
+) -> PageTable:
     """A row for each quantity and wheel, a column for each case."""
     rows = []
     for words, (numbers, si) in values.items():
@@ -91,4 +93,4 @@ def _table(caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[s
         for k, wheel in enumerate(map(str, found["wheel"].to_numpy())):
             cells = (number(float(value) * unit.factor) for value in numbers[:, k])
             rows.append((words, unit.name, wheel, *cells))
-    return Table(caption, ("", "unit", "wheel", *cases), tuple(rows), "lll" + "r" * len(cases))
+    return PageTable(caption, ("", "unit", "wheel", *cases), tuple(rows), "lll" + "r" * len(cases))

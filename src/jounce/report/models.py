@@ -11,14 +11,14 @@ from jounce.plots.display import SMALLEST, number, percent
 from jounce.recordings.schema import state_unit
 from jounce.report.page import (
     Block,
-    Column,
     Fact,
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Section,
-    Table,
+    TableColumn,
     as_printed,
     picture_of,
     table_of,
@@ -89,9 +89,9 @@ def modes_page(
         shapes = tuple((name, *(number(abs(complex(*m.shape[name])), 3) for m in found)) for name in names)
         words = "Shape of each mode: motion of every coordinate relative to the largest."
         answer = (
-            Table("Modes by rising natural frequency", header, rows, "lrrrl"),
+            PageTable("Modes by rising natural frequency", header, rows, "lrrrl"),
             picture_of(list(found), "modes", words),
-            Table(
+            PageTable(
                 "Amplitudes of the shapes",
                 ("coordinate", *map(str, range(1, len(found) + 1))),
                 shapes,
@@ -99,7 +99,7 @@ def modes_page(
             ),
         )
     rest = tuple((name, *_at_rest(name, value)) for name, value in equilibrium.items())
-    statics = Table("Static equilibrium", ("quantity", "unit", "value"), rest, "llr")
+    statics = PageTable("Static equilibrium", ("quantity", "unit", "value"), rest, "llr")
     told = (Findings(tuple(findings)),) if findings else ()
     sections = (Section("Modes", (*answer, *told)), Section("Static equilibrium", (statics,)))
     return Page(title, sections, "Linear model about rest")
@@ -174,7 +174,7 @@ def roughness_page(
         )
         for part in found.segments
     )
-    segments = Table("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
+    segments = PageTable("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
     note = f"Samples every {found.spacing:g} m, slopes over {found.base:g} m."
 
     def profile() -> xr.Dataset:
@@ -227,14 +227,14 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
         unit = display_unit(row.unit, max(map(abs, values), default=0.0))
         cells = (number(None if value is None else value * unit.factor) for value in (row.spatial, row.lumped))
         rows.append((row.quantity, unit.name or "–", *cells, as_printed(row.why)))
-    about_rest = Table("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
+    about_rest = PageTable("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
     peaks = []
     for peak in found.peaks:
         unit = display_unit(peak.unit, peak.spatial)
         both = (number(value * unit.factor) for value in (peak.spatial, peak.lumped))
         peaks.append((peak.trial, peak.channel, unit.name or "–", *both, percent(peak.relative)))
     header = ("trial", "peak of", "unit", "3-D", "lumped", "difference")
-    in_trials = Table("Largest values in the trials", header, tuple(peaks), "lllrrr")
+    in_trials = PageTable("Largest values in the trials", header, tuple(peaks), "lllrrr")
     curves = found.curves().rename(travel="wheel_travel")
     runs = {str(model): curves.sel(model=model, drop=True) for model in curves["model"].to_numpy()}
     moving = curve_blocks({"": runs}, ["motion_ratio", "wheel_rate"], title=title, rig=rig)
@@ -243,11 +243,11 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
     over_travel = table_of(
         "Over travel",
         (
-            Column("travel", points, "m"),
-            Column("motion ratio, 3-D", found.motion_ratio[some].tolist(), "1"),
-            Column("lumped", [found.lumped_motion_ratio] * len(points), "1"),
-            Column("wheel rate, 3-D", found.wheel_rate[some].tolist(), "N/m"),
-            Column("lumped", [found.lumped_wheel_rate] * len(points), "N/m"),
+            TableColumn("travel", points, "m"),
+            TableColumn("motion ratio, 3-D", found.motion_ratio[some].tolist(), "1"),
+            TableColumn("lumped", [found.lumped_motion_ratio] * len(points), "1"),
+            TableColumn("wheel rate, 3-D", found.wheel_rate[some].tolist(), "N/m"),
+            TableColumn("lumped", [found.lumped_wheel_rate] * len(points), "N/m"),
         ),
     )
     answer = (about_rest, *((in_trials,) if peaks else ()))

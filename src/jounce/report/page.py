@@ -49,7 +49,7 @@ class Cell:
 
 
 @dataclass(frozen=True)
-class Table:
+class PageTable:
     """A table with headers.
 
     Attributes
@@ -74,7 +74,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Column:
+class TableColumn:
     """One column of numbers of an SI unit, or of texts: ``unit`` is empty then."""
 
     label: str
@@ -82,19 +82,19 @@ class Column:
     unit: str = ""
 
 
-def table_of(caption: str, columns: Sequence[Column], note: str = "") -> Table:
+def table_of(caption: str, columns: Sequence[TableColumn], note: str = "") -> PageTable:
     """Make a table of columns of one length, with numbers in the units that are chosen.
 
-    >>> table_of("Rates", (Column("wheel", ["front"]), Column("rate", [22730.0], "N/m"))).header
+    >>> table_of("Rates", (TableColumn("wheel", ["front"]), TableColumn("rate", [22730.0], "N/m"))).header
     ('wheel', 'rate [N/mm]')
     """
     written = [_written(column) for column in columns]
     header = tuple(label for label, _ in written)
     rows = tuple(zip(*(cells for _, cells in written), strict=True))
-    return Table(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
+    return PageTable(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
 
 
-def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) -> Table:
+def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) -> PageTable:
     """Make a table of labels, values (SI) and their units, each row in the unit that is chosen for it.
 
     >>> quantity_table("Rig", [("spring rate", 22730.0, "N/m"), ("damping ratio", 0.3, "1")]).rows
@@ -104,16 +104,16 @@ def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) 
     for label, value, si in rows:
         unit = display_unit(si, abs(value or 0.0))
         cells.append((label, number(None if value is None else value * unit.factor), unit.name or "–"))
-    return Table(caption, ("quantity", "value", "unit"), tuple(cells), "lrl")
+    return PageTable(caption, ("quantity", "value", "unit"), tuple(cells), "lrl")
 
 
-def as_table(table: TextTable, note: str = "") -> Table:
+def as_table(table: TextTable, note: str = "") -> PageTable:
     """Take a table of a result over into a page."""
     sides = "".join("l" if k in table.texts else "r" for k in range(len(table.header)))
-    return Table(table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note)
+    return PageTable(table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note)
 
 
-def _written(column: Column) -> tuple[str, list[Cell | str]]:
+def _written(column: TableColumn) -> tuple[str, list[Cell | str]]:
     """Write the label and the cells of a column."""
     if not column.unit:
         return column.label, [value if isinstance(value, Cell) else str(value) for value in column.values]
@@ -191,7 +191,9 @@ class Details:
     is_still: bool = False
 
 
-Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"
+Block: TypeAlias = (
+    "Paragraph | Bullets | PageTable | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"
+)
 
 
 @dataclass(frozen=True)
@@ -345,7 +347,7 @@ _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 _MOST_PLACES = 6
 
 
-def alignments(table: Table) -> list[str]:
+def alignments(table: PageTable) -> list[str]:
     """Name the alignment of each column: ``left``, ``right`` or ``centre``."""
     letters = table.align.ljust(len(table.header), "l")
     return [{"l": "left", "r": "right", "c": "centre"}[letter] for letter in letters]

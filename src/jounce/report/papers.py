@@ -13,7 +13,7 @@ from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGroun
 from jounce.plots import damper_loops, road_profile, sweep, time_history
 from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
 from jounce.plots.display import number, percent, quantity
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
+from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Paragraph, Picture, Section
 from jounce.report.recordings import curve_blocks
 from jounce.report.render import curve_files
 
@@ -106,8 +106,8 @@ def _damper(study: ProvingGround) -> Section:
         for one in study.dampers
         for law, fit in one.laws.items()
     )
-    blocks: list[Table | Picture | Paragraph] = [
-        Table(
+    blocks: list[PageTable | Picture | Paragraph] = [
+        PageTable(
             "Laws fitted to the records.",
             ("record, law", "NRMSE [%]", "R²", "energy per cycle, measured [J]", "fitted [J]"),
             rows,
@@ -139,7 +139,7 @@ def _quarter_car(study: ProvingGround) -> Section:
     return Section(
         "Model",
         (
-            Table(
+            PageTable(
                 "Parameters of the quarter car and their origin.",
                 ("quantity", "value", "", "origin"),
                 rows,
@@ -151,7 +151,7 @@ def _quarter_car(study: ProvingGround) -> Section:
                 "A damper whose force hardly rises with velocity damps small motions strongly and large ones weakly: "
                 "a damping ratio holds at one amplitude only."
             ),
-            Table("Dampers referred to the wheel.", ("damper", "parameter", "value (SI)"), parameters, "llr"),
+            PageTable("Dampers referred to the wheel.", ("damper", "parameter", "value (SI)"), parameters, "llr"),
         ),
     )
 
@@ -194,7 +194,7 @@ def _ride(study: ProvingGround) -> Section:
         "Ride metrics",
         (
             Picture(partial(sweep, study.figures, names), "ride-figures", words, words),
-            Table(
+            PageTable(
                 "Ride metrics over the undulating 304.8 m; r.m.s. wheel load relative to the static load.",
                 header,
                 rows,
@@ -268,11 +268,11 @@ def audi_case_page(study: AudiCase) -> Page:
     )
 
 
-def errata_table(errata: tuple[Erratum, ...]) -> Table:
+def errata_table(errata: tuple[Erratum, ...]) -> PageTable:
     """Table of what the paper prints, what is correct, and how one can tell."""
     rows = tuple((erratum.place, erratum.printed, erratum.correct, erratum.why) for erratum in errata)
     note = "Every number is computed from the paper's tables; results.json holds them in SI."
-    return Table(
+    return PageTable(
         "Statements of the paper that need correction.", ("place", "printed", "correct", "reason"), rows, "llll", note
     )
 
@@ -306,7 +306,7 @@ def _windows(study: AudiCase) -> Section:
         )
         given = quantity(moment, "N*m")
         caption = f"Extremes with a pitch moment of {given} from 3 s on; θ is positive nose down."
-        tables.append(Table(caption, header, rows, "l" + "r" * 8))
+        tables.append(PageTable(caption, header, rows, "l" + "r" * 8))
     peaks = tuple(
         (
             f"{run.variant}, {quantity(run.moment, 'N*m')}",
@@ -316,7 +316,7 @@ def _windows(study: AudiCase) -> Section:
         for run in study.runs
     )
     heads = ("variant, moment", "largest body acceleration, 6–8 s", "least force on a wheel")
-    return Section("Windows", (*tables, Table("Peak acceleration and least wheel force.", heads, peaks, "lrr")))
+    return Section("Windows", (*tables, PageTable("Peak acceleration and least wheel force.", heads, peaks, "lrr")))
 
 
 def _extremes(window: Window, factor: float) -> tuple[str, str, str, str]:
@@ -385,10 +385,10 @@ def _statics(study: AudiCase) -> Section:
         "Statics and modes",
         (
             Paragraph(text),
-            Table(
+            PageTable(
                 "Axle loads in equilibrium.", ("axle", "force", "per wheel", "compression of a spring"), axles, "lrrr"
             ),
-            Table("Modes; the last two columns are their shapes.", names, modes, "rrrrr"),
+            PageTable("Modes; the last two columns are their shapes.", names, modes, "rrrrr"),
         ),
     )
 
@@ -418,7 +418,7 @@ def _demo(study: AudiCase) -> Section:
             Paragraph(first),
             Picture(partial(start_up_transient, study), "start-up", words, words),
             Paragraph(second),
-            Table("Eigenvalues [1/s].", ("eq. (9)", "1", "2", "3", "4"), rows, "lrrrr"),
+            PageTable("Eigenvalues [1/s].", ("eq. (9)", "1", "2", "3", "4"), rows, "lrrrr"),
         ),
     )
 
@@ -520,7 +520,7 @@ def _spring_table(study: EccentricExciter) -> tuple[Block, ...]:
     )
     note = "For the summed model this is the merged spring, for the others the suspension spring."
     return (
-        Table("Spring of 341 mm under the load.", header, rows, "lrrrr", note),
+        PageTable("Spring of 341 mm under the load.", header, rows, "lrrrr", note),
         Paragraph(text),
     )
 
@@ -554,20 +554,20 @@ def _linear(study: EccentricExciter) -> tuple[Block, ...]:
         for one in study.eusama
     )
     return (
-        Table(
+        PageTable(
             "Static equilibrium and modes.",
             ("model", "spring", "all springs", "force on the plate", "modes"),
             statics,
             "lrrrl",
             "The tyre of the two-mass model also carries the weight of the wheel.",
         ),
-        Table(
+        PageTable(
             "Amplitudes at 5 Hz over that of the plate.",
             ("model", "body [–]", "wheel [–]", "spring [–]", "force on the plate"),
             response,
             "lrrrr",
         ),
-        Table(
+        PageTable(
             "EUSAMA adhesion at this amplitude: least contact force over static contact force.",
             ("tyre damping", "adhesion", "at"),
             tester,
@@ -596,7 +596,7 @@ def _drive(study: EccentricExciter) -> tuple[Block, ...]:
     header = ("model", "mean torque", "torque", "mean power", "heat in dampers")
     return (
         Picture(partial(exciter_torque_curve, study), "torque", words, words),
-        Table("Torque and power required of the drive in steady motion.", header, rows, "lrrrr"),
+        PageTable("Torque and power required of the drive in steady motion.", header, rows, "lrrrr"),
         Paragraph(text),
     )
 

@@ -13,16 +13,16 @@ from jounce.report.page import (
     Block,
     Bullets,
     Cell,
-    Column,
     Fact,
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
     Section,
     Subsection,
-    Table,
+    TableColumn,
     sections_of,
     slug,
     table_of,
@@ -113,7 +113,7 @@ def _answer(found: Posterior) -> tuple[Block, ...]:
         rows.append((path, unit.name or "–", *shown, f"{one.convergence.r_hat:.3f}", f"{one.convergence.bulk:.0f}"))
     intervals = ("95 % of draws", "Gaussian", "profile likelihood")
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
-    table = Table("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
+    table = PageTable("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
     blocks: list[Block] = [Paragraph(_COUNTED[found.counted]), Facts(facts), table]
     if found.findings:
         blocks.append(Findings(found.findings))
@@ -137,7 +137,7 @@ def _bands(found: Posterior) -> tuple[Block, ...]:
             told = Cell(share, "good" if band.inside >= 0.9 else "fair" if band.inside >= 0.8 else "bad")
             rows.append((trial, "fitted" if band.is_fitted else "held out", channel, told))
     header = ("trial", "use", "channel", "samples in the 95 % band")
-    return (Table("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
+    return (PageTable("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
 
 
 def _predictions(found: Posterior) -> tuple[Block, ...]:
@@ -166,11 +166,11 @@ def next_trials_page(found: NextTrials, *, title: str) -> Page:
     """
     shown = found.candidates[:_MOST_TRIALS]
     errors = [
-        Column(f"± {path}", [now, *(one.standard_errors[path] for one in shown)], found.units[path] or "1")
+        TableColumn(f"± {path}", [now, *(one.standard_errors[path] for one in shown)], found.units[path] or "1")
         for path, now in found.now.items()
     ]
-    names = Column("trial", ["today", *(one.name for one in shown)])
-    gains = Column("gain [nat]", [None, *(one.gain for one in shown)], "1")
+    names = TableColumn("trial", ["today", *(one.name for one in shown)])
+    gains = TableColumn("gain [nat]", [None, *(one.gain for one in shown)], "1")
     left = len(found.candidates) - len(shown)
     more = f"{left} more trials tell less; --json has all. " if left else ""
     series = "one after the other: " + ", then ".join(one.name for one in found.series)

@@ -20,9 +20,9 @@ from jounce.core.serialise import to_json, to_plain
 from jounce.core.writing import Formats, check_writable, write_atomically
 from jounce.inspection.findings import sentence_of
 from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
-from jounce.inspection.limits import Band, Criterion, Limits
+from jounce.inspection.limits import Criterion, Limits, VerdictBand
 from jounce.inspection.methods import METHODS, QUANTITIES, method_names
-from jounce.inspection.quantities import LANGUAGES, Language, Quantity
+from jounce.inspection.quantities import LANGUAGES, Language, WheelQuantity
 from jounce.inspection.reasons import Reason, verdict_words
 from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
@@ -469,7 +469,9 @@ def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Quantity, language: Language) -> Plain:
+def _value_cell(
+    graded: GradedInspection, wheel: WheelResult | None, quantity: WheelQuantity, language: Language
+) -> Plain:
     if wheel is None:
         return _cell("–")
     value, half = wheel.value(quantity.name), wheel.uncertainty.get(quantity.name)
@@ -488,14 +490,14 @@ def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Q
     return _cell(text, shown, shortened(band.words(language), 60), _tone(band, criterion))
 
 
-def _tone(band: Band, criterion: Criterion | None) -> str:
+def _tone(band: VerdictBand, criterion: Criterion | None) -> str:
     """Colour of a band; grey where its limits decide nothing."""
     return band.colour if criterion is None or criterion.verified else TONES[NOT_GRADED]
 
 
 def _band_of(
     limits: Limits, grade: WheelGrade | None, name: str, value: float | None
-) -> tuple[Band | None, Criterion | None]:
+) -> tuple[VerdictBand | None, Criterion | None]:
     """Band of a value by the method that grades it, or by a condition; none in a record that is not graded."""
     for method, criterion in limits.methods.items():
         if criterion.quantity == name and grade is not None and method in grade.bands:
@@ -510,7 +512,9 @@ def _condition(limits: Limits, name: str) -> Criterion | None:
     return next((one for one in limits.conditions.values() if one.quantity == name), None)
 
 
-def _gap_cell(found: Difference | None, quantity: Quantity, language: Language, limits: Limits | None = None) -> Plain:
+def _gap_cell(
+    found: Difference | None, quantity: WheelQuantity, language: Language, limits: Limits | None = None
+) -> Plain:
     if found is None:
         return _cell("–")
     text = quantity.text(found.absolute, language, with_unit=False)

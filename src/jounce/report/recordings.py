@@ -16,8 +16,8 @@ from jounce.core.types import Array
 from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
-from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, named_words, scene_panels
-from jounce.report.page import Block, Details, Findings, Page, Section, Table, slug
+from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, named_words, scene_panels
+from jounce.report.page import Block, Details, Findings, Page, PageTable, Section, slug
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -184,7 +184,7 @@ def curve_viewer(
     return Viewer(title, tuple(scenes), shown, caption, words, unit)
 
 
-def _shown(scene: Scene) -> str:
+def _shown(scene: ViewerScene) -> str:
     return ", ".join(pane.name for pane in scene.panes if pane.shown)
 
 
@@ -246,7 +246,7 @@ def _scene(
     motion: Any,
     roles: Mapping[str, str],
     numbers: Collection[str] | None,
-) -> Scene:
+) -> ViewerScene:
     """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
     lengths = [data.variables[axis].to_numpy().astype(float) for data in named.values()]
     x = np.unique(np.concatenate(lengths))
@@ -278,7 +278,7 @@ def _scene(
             words = f"{DIFFERENCE}{name}, difference from {next(iter(named))}"
             differences.append(Pane(f"{DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
     made = motion(x) if motion is not None else None
-    return Scene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
+    return ViewerScene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
 
 
 def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -> Any:
@@ -304,7 +304,7 @@ def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
     drawing = scene_of(rig)
     poses = poses_of(rig, drawing, data)
     poses = poses.taken(np.unique(poses.over, return_index=True)[1])  # ascending, each place once
-    mechanism, over = Mechanism(drawing, poses, axis == "time"), poses.over
+    mechanism, over = PosedRig(drawing, poses, axis == "time"), poses.over
 
     def motion(x: Array) -> Motion:
         ground, load = (np.interp(x, over, values) for values in (poses.ground, poses.touches.astype(float)))
@@ -334,7 +334,7 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
         travel = data[axis].to_numpy()
     low, high = min(float(np.nanmin(travel)), -1e-3), max(float(np.nanmax(travel)), 1e-3)
     poses = poses_of(rig, drawing, sweep_travel(rig, np.linspace(low, high, _POSES), points=True))
-    mechanism = Mechanism(drawing, poses, axis == "time")
+    mechanism = PosedRig(drawing, poses, axis == "time")
 
     def motion(x: Array) -> Motion:
         def read(name: str, default: float) -> Array:
@@ -358,7 +358,7 @@ def _extremes(
     unit: DisplayUnit,
     names: Sequence[str],
     units: Mapping[str, DisplayUnit],
-) -> Table:
+) -> PageTable:
     """Minimum and maximum of every channel of every run, and the largest difference from the first."""
     several = len(named) > 1
     rows = []
@@ -386,7 +386,7 @@ def _extremes(
     header += ["largest difference", place] if several else []
     align = "l" + "l" * several + "l" + "r" * (4 + 2 * several)
     note = f"Differences are from {next(iter(named))}, where both are known." if several else ""
-    return Table(f"Extremes over {axis.replace('_', ' ')}", tuple(header), tuple(rows), align, note)
+    return PageTable(f"Extremes over {axis.replace('_', ' ')}", tuple(header), tuple(rows), align, note)
 
 
 def _furthest(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.plots.display import given, number, percent
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, picture_of
+from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Paragraph, Picture, Section, picture_of
 from jounce.ride.study import MERITS
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def measured_ride_page(found: MeasuredRide, *, title: str) -> Page:
     return Page(title, (Section("Answer", tuple(answer)),), found.extent)
 
 
-def _merits(study: RideStudy) -> Table:
+def _merits(study: RideStudy) -> PageTable:
     """Every controller by comfort, travel and road holding; the best of each column stands out."""
     shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
     units = {merit.name: display_unit(merit.unit) for merit in shown}
@@ -95,7 +95,7 @@ def _merits(study: RideStudy) -> Table:
         for ride in study.rides
     )
     header = ("controller", *(units[merit.name].label(merit.label) for merit in shown))
-    return Table("Controllers over the same road; smaller is better", header, rows, "l" + "r" * len(shown))
+    return PageTable("Controllers over the same road; smaller is better", header, rows, "l" + "r" * len(shown))
 
 
 def _facts(study: RideStudy) -> Facts:
@@ -110,7 +110,7 @@ def _facts(study: RideStudy) -> Facts:
     return Facts(tuple(facts))
 
 
-def _metrics(rides: Mapping[str, RideMetrics]) -> Table:
+def _metrics(rides: Mapping[str, RideMetrics]) -> PageTable:
     """Every metric at every place, a column for each ride."""
     values = {name: {(one.metric, one.place): one for one in ride.values} for name, ride in rides.items()}
     every = dict.fromkeys(key for found in values.values() for key in found)
@@ -121,7 +121,7 @@ def _metrics(rides: Mapping[str, RideMetrics]) -> Table:
         cells = (number(found[key].value * unit.factor) if key in found else "–" for found in values.values())
         rows.append((one.label if one.label != last else "", one.place, unit.name or "–", *cells))
         last = one.label
-    return Table("Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values))
+    return PageTable("Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values))
 
 
 def _named(study: RideStudy) -> dict[str, RideMetrics]:
@@ -150,7 +150,7 @@ def _stationary(study: RideStudy) -> list[Block]:
             )
         )
     return [
-        Table(
+        PageTable(
             "Standard deviations of the passive ride, and of the linear model over endless time",
             ("channel", "unit", "simulated", "linear model", "by chance"),
             tuple(rows),

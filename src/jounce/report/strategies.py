@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from jounce.campaign.result import CLOSE, LOOSE
 from jounce.plots.display import number, percent
-from jounce.report.page import Block, Cell, Details, Paragraph, Subsection, Table, Tone
+from jounce.report.page import Block, Cell, Details, PageTable, Paragraph, Subsection, Tone
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -35,7 +35,7 @@ def progress(result: CampaignResult) -> Subsection:
     return Subsection("Every update on every trial", tuple(blocks))
 
 
-def _parts(result: CampaignResult) -> Table:
+def _parts(result: CampaignResult) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for strategy in result.strategies:
         split = strategy.objective_by_channel()
@@ -65,14 +65,14 @@ def _parts(result: CampaignResult) -> Table:
         "Sums of squared differences over the trials fitted on, in the squared SI unit of the channel, without "
         "weights (Eq. 2 of the quarter-car prototype paper). A channel counts as represented with R² above 0.95."
     )
-    return Table("The objective split into its channels", header, tuple(rows), "llrrrrrr", note)
+    return PageTable("The objective split into its channels", header, tuple(rows), "llrrrrrr", note)
 
 
 def _tone(r2: float) -> Tone:
     return "good" if r2 > CLOSE else "fair" if r2 > LOOSE else "bad"
 
 
-def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[ChannelComparison], float]) -> Table:
+def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[ChannelComparison], float]) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for trial in result.trials:
         if trial.after is None and trial.before is None:
@@ -83,7 +83,7 @@ def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[C
             cells = tuple(_cell(one, name, value, colour=label == "R²") for one in found)
             rows.append((str(trial.entry.number) if k == 0 else "", name, *cells))
     header = ("trial", "channel", *(strategy.update.name for strategy in result.strategies))
-    return Table(caption, header, tuple(rows), "ll" + "r" * len(result.strategies))
+    return PageTable(caption, header, tuple(rows), "ll" + "r" * len(result.strategies))
 
 
 def _channels(trial: StrategyTrial) -> list[str]:

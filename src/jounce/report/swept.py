@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots.display import kinematic_value, number
-from jounce.report.page import Block, Page, Paragraph, Section, Table
+from jounce.report.page import Block, Page, PageTable, Paragraph, Section
 
 if TYPE_CHECKING:
     from jounce.kinematics.swept import Swept
@@ -48,7 +48,7 @@ def poses_table(found: Swept) -> tuple[Block, ...]:
     many = "".join(f" at each of {found.data.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
     words = f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}"
     header = ("quantity", "unit", *places)
-    return Table(caption, header, tuple(rows), "ll" + "r" * len(at)), Paragraph(words, "muted")
+    return PageTable(caption, header, tuple(rows), "ll" + "r" * len(at)), Paragraph(words, "muted")
 
 
 def effort_page(found: Swept, *, title: str) -> Page:

@@ -15,7 +15,7 @@ from jounce.plots.display import given
 from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
 from jounce.recordings.schema import QUANTITIES, channel_unit, quantity_of
 from jounce.report.chart import Chart
-from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
+from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, scene_panels
 
 if TYPE_CHECKING:
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
@@ -83,7 +83,7 @@ def trial_label(trial: TrialResult) -> str:
     return " · ".join(parts)
 
 
-def trial_chart(scene: Scene, trial: TrialResult) -> Chart:
+def trial_chart(scene: ViewerScene, trial: TrialResult) -> Chart:
     """Draw the lively part of a trial: measured, before and after updating."""
     channels = trial.after.channels if trial.after is not None else {}
     words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
@@ -101,8 +101,8 @@ def _scene(
     trial: TrialResult,
     others: Sequence[StrategyResult],
     verdict: tuple[str, Tone],
-    mechanisms: Mapping[float | None, Mechanism],
-) -> Scene:
+    mechanisms: Mapping[float | None, PosedRig],
+) -> ViewerScene:
     shown = trial.signals or trial.signals_before
     time = next(iter(shown.values())).time
     span = obstacle_pass(trial)
@@ -128,7 +128,7 @@ def _scene(
                 values = motion.outputs[name]
                 unit = display_unit(_si(name), float(np.abs(values).max(initial=0.0)))
                 panes.append(Pane(name, _words(name), unit.name, (Curve("model", role, values * unit.factor),), False))
-    return Scene(
+    return ViewerScene(
         scene_name(trial.entry.number),
         trial_label(trial),
         time,
@@ -164,7 +164,7 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
     return (begin + loops, end) if 0.0 < end - begin - loops < 0.8 * last else None
 
 
-def _mechanisms(result: CampaignResult) -> dict[float | None, Mechanism]:
+def _mechanisms(result: CampaignResult) -> dict[float | None, PosedRig]:
     found = {}
     for angle, sweep in result.poses.items():
         motion = next(t.motion for t in result.trials if t.motion is not None and t.entry.strut_angle == angle)
@@ -172,13 +172,13 @@ def _mechanisms(result: CampaignResult) -> dict[float | None, Mechanism]:
             continue
         try:
             drawing = scene_of(motion.rig)
-            found[angle] = Mechanism(drawing, poses_of(motion.rig, drawing, sweep))
+            found[angle] = PosedRig(drawing, poses_of(motion.rig, drawing, sweep))
         except JounceError:  # a page without the mechanism still shows the curves
             continue
     return found
 
 
-def _motion(trial: TrialResult, mechanism: Mechanism | None) -> Motion | None:
+def _motion(trial: TrialResult, mechanism: PosedRig | None) -> Motion | None:
     motion = trial.motion
     if motion is None or mechanism is None:
         return None

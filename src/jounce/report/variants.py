@@ -21,10 +21,10 @@ from jounce.report.page import (
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
     Section,
-    Table,
     sections_of,
 )
 from jounce.report.recordings import curve_blocks
@@ -147,13 +147,13 @@ def _answer(found: SweepResult) -> tuple[Block, ...]:
         rows = tuple(
             (Cell(reason, "bad"), str(one["variants"]), str(one["first"])) for reason, one in summary.failed.items()
         )
-        blocks.append(Table("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
+        blocks.append(PageTable("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
     if summary.findings:
         blocks.append(Findings(summary.findings))
     return tuple(blocks)
 
 
-def _statistics(summary: Summary) -> Table:
+def _statistics(summary: Summary) -> PageTable:
     rows = []
     for one in summary.metrics:
         unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
@@ -166,7 +166,7 @@ def _statistics(summary: Summary) -> Table:
         rows.append((one.name, unit.name or "–", *middle, ends[0], *levels, ends[1]))
     levels = [f"{key} %" for key in summary.metrics[0].percentiles]
     header = ("metric", "unit", "mean", "standard deviation", "least (variant)", *levels, "greatest (variant)")
-    return Table("Every metric over the variants", header, tuple(rows), "ll" + "r" * 7)
+    return PageTable("Every metric over the variants", header, tuple(rows), "ll" + "r" * 7)
 
 
 def _percentiles(summary: Summary) -> Details:
@@ -178,7 +178,7 @@ def _percentiles(summary: Summary) -> Details:
     header = ("metric", "unit", *(f"{key} %" for key in summary.metrics[0].percentiles))
     note = "In brackets the 95 % interval that so many variants, taken as a random sample, leave a percentile."
     words = "Percentiles and how sure they are"
-    return Details(words, (Table(words, header, tuple(rows), "llrrr", note),))
+    return Details(words, (PageTable(words, header, tuple(rows), "llrrr", note),))
 
 
 def _with_interval(level: Mapping[str, Any], factor: float) -> str:
@@ -202,7 +202,7 @@ def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
     )
 
 
-def _table(summary: Summary, metric: str) -> Table:
+def _table(summary: Summary, metric: str) -> PageTable:
     """What one metric depends on, the number that matters most first."""
     own = [one for one in summary.influences if one.metric == metric]
     measures = [name for name in own[0].measures if name in _WORDS]
@@ -216,7 +216,7 @@ def _table(summary: Summary, metric: str) -> Table:
         (one.number, *(told[name](one.measures[name]) for name in measures)) for one in sorted(own, key=weight)
     )
     header = ("number", *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures))
-    return Table(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))
+    return PageTable(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))
 
 
 def _curves(runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: Trial | None) -> tuple[Block, ...]:

@@ -18,7 +18,7 @@ from jounce.kernel.engine import Engine
 from jounce.kernel.methods.explicit import shortened
 from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
-from jounce.mechanics.facts import SLOPES, Facts, Output, is_road
+from jounce.mechanics.facts import SLOPES, ModelFacts, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, structure_of
 
@@ -45,7 +45,7 @@ class Compiled:
     depends on; it is empty for a model that only its symbols describe.
     """
 
-    facts: Facts
+    facts: ModelFacts
     free: tuple[str, ...]
     native: Native
     shapes: dict[str, tuple[int, int]]
@@ -255,10 +255,10 @@ def _source(model: Model, moved: tuple[str, ...], count: int) -> Source:
     return Source(program.functions, program.step, json.dumps(table))
 
 
-def _facts(table: dict[str, Any]) -> Facts:
+def _facts(table: dict[str, Any]) -> ModelFacts:
     values: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in table.items()}
     values["outputs"] = tuple(Output(**output) for output in table["outputs"])
-    return Facts(**values)
+    return ModelFacts(**values)
 
 
 @cache

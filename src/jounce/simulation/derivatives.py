@@ -12,7 +12,7 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
-from jounce.mechanics.facts import Facts
+from jounce.mechanics.facts import ModelFacts
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.carried import as_recording, is_table
@@ -199,7 +199,9 @@ def gradient(
     return Gradient(sum(shares.values()), dict(zip(parameters, map(float, slopes), strict=True)), shares)
 
 
-def _run(rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float) -> tuple[Facts, Solution]:
+def _run(
+    rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float
+) -> tuple[ModelFacts, Solution]:
     """Simulate with sensitivities."""
     values = check_rig(rig).parameters()
     if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):

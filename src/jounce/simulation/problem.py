@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from jounce.core.errors import SimulationError
 from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
-from jounce.mechanics.facts import ROAD, Facts, is_road
+from jounce.mechanics.facts import ROAD, ModelFacts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.roads import Flat, Trial
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
 
-def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
+def excitation(facts: ModelFacts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
     """Every track of a model against time (s), in the order of the model.
 
     ``free`` are parameters that a run is differentiated by, or that vary under the same tracks. A trial with an input
@@ -67,7 +67,7 @@ def _refuse_unknown_ground(trial: Trial) -> None:
 _lasting_ground = remembered(_refuse_unknown_ground)
 
 
-def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
+def _refuse_unfelt(facts: ModelFacts, rig: Rig, trial: Trial) -> None:
     for load in trial.loads:
         if load not in facts.tracks:
             missing = isinstance(rig, Vehicle) and (load == "deceleration" or any(wheel.side for wheel in _sides(rig)))

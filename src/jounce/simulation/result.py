@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
-from jounce.mechanics.facts import Facts
+from jounce.mechanics.facts import ModelFacts
 from jounce.simulation.compiled import Compiled
 
 _TURNED = 0.6  # rad: a change of camber or steer beyond it (34 degrees) comes from another branch of the linkage
@@ -52,7 +52,7 @@ class Solution:
     method: str
 
 
-def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
+def samples_reached(solution: Solution, facts: ModelFacts, *, check: bool) -> int:
     """Number of computed samples; with ``check`` all of them, or an error."""
     if solution.status is Status.COMPLETED:
         return len(solution.time)
@@ -64,7 +64,7 @@ def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
     return reached
 
 
-def _pose(solution: Solution, facts: Facts, at: int) -> str:
+def _pose(solution: Solution, facts: ModelFacts, at: int) -> str:
     """Pose of a mechanism at a sample, if the mechanism stopped the run."""
     if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP, Status.FLIPPED):
         return ""

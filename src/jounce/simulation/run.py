@@ -13,7 +13,7 @@ from jounce.core.findings import finding_attributes, findings_of
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import as_number
-from jounce.mechanics.facts import Facts
+from jounce.mechanics.facts import ModelFacts
 from jounce.parts import Rig, as_rig, rig_findings
 from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.roads import HoldsTrial, Trial, as_trial
@@ -172,7 +172,7 @@ def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Run
     from jounce.simulation.reduced_car import ReducedCar, car_reduction_for
     from jounce.simulation.sampled import DEGREES
 
-    def course(facts: Facts) -> tuple[dict[str, float], list[Segments], Array, float]:
+    def course(facts: ModelFacts) -> tuple[dict[str, float], list[Segments], Array, float]:
         return rig.parameters(), excitation(facts, rig, trial), times, settings.tolerance
 
     if (corner := reduction_for(rig, trial, settings)) is not None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.remembered import Recent, remembered
 from jounce.core.types import Array
-from jounce.mechanics.facts import Facts, is_road
+from jounce.mechanics.facts import ModelFacts, is_road
 from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
@@ -289,7 +289,7 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> Iterator[Array
 
 
 @remembered
-def _sinking(facts: Facts) -> tuple[Array, Array, Array]:
+def _sinking(facts: ModelFacts) -> tuple[Array, Array, Array]:
     """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
     heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
     heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)

@@ -29,7 +29,7 @@ _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that s
 
 
 @dataclass(frozen=True)
-class Shown:
+class CurvesAnswer:
     """Curves for the page, and how to get the same: ``python``, ``command``, and ``files`` for it."""
 
     viewer: Viewer
@@ -120,7 +120,7 @@ def simulated(
     begins: str = "",
     spectra: bool = False,
     numbers: Sequence[str] | None = None,
-) -> Shown:
+) -> CurvesAnswer:
     """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same.
 
     A ``measured`` recording of the project stands beside them, its time counted from where it ``begins``; ``spectra``
@@ -136,8 +136,8 @@ def simulated(
         from jounce.report.recordings import curve_viewer
         from jounce.web.spectra import spectra_of
 
-        return Shown(curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways)
-    return Shown(_curves(runs, channels, rigs, on, numbers), ways)
+        return CurvesAnswer(curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways)
+    return CurvesAnswer(_curves(runs, channels, rigs, on, numbers), ways)
 
 
 _DONE: OrderedDict[str, xr.Dataset] = OrderedDict()  # the last few runs: beside the one that changes, one stays

@@ -78,7 +78,7 @@ class Edited(_Asked):
     changes: dict[str, Any] = Field(default_factory=dict, max_length=200)
 
 
-class Part(_Asked):
+class RecordPart(_Asked):
     """Part of a record, in the unit of its time (all of it without ends), in so many columns."""
 
     path: str
@@ -100,7 +100,7 @@ class Changed(_Asked):
     channels: list[str] = Field(default_factory=list, max_length=60)
 
 
-class Run(Changed):
+class RunRequest(Changed):
     """A run over an obstacle: the table of a road file, a speed and a duration with their units.
 
     With ``numbers``, the answer holds the curves of these channels and of those that are shown first, else all.
@@ -115,21 +115,21 @@ class Run(Changed):
     spectra: bool = False
 
 
-class Keep(Run):
+class Keep(RunRequest):
     """A run that is written into the project under a title, of the rig that was looked at (its digest, if any)."""
 
     title: str
     digest: str = ""
 
 
-class Compared(_Asked):
+class OverlayRequest(_Asked):
     """Recordings of the project that are drawn over each other."""
 
     paths: list[str] = Field(min_length=1, max_length=6)
     channels: list[str] = Field(default_factory=list, max_length=60)
 
 
-class Sweep(Changed):
+class SweepRequest(Changed):
     """A sweep over wheel travel, rack or roll: first:last:step of that one, single values of others; with units.
 
     ``against`` is another rig, drawn beside it; ``targets`` have the keys of a study, ``study`` is the file of one.
@@ -266,16 +266,16 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         return records.open(path).about
 
     @app.post("/api/record")
-    def part(asked: Part, request: Request) -> Response:
+    def part(asked: RecordPart, request: Request) -> Response:
         """Some channels of a record, as much of them as a screen shows."""
         found = records.open(asked.path)
         low = found.about["first"] if asked.low is None else asked.low
         high = found.about["last"] if asked.high is None else asked.high
         shown = found.viewer(asked.channels, low, high, asked.columns)
-        return _told(answers.Shown(shown, records.ways(asked.path, found.about, asked.channels)), request)
+        return _told(answers.CurvesAnswer(shown, records.ways(asked.path, found.about, asked.channels)), request)
 
     @app.post("/api/simulate")
-    def simulate(asked: Run, request: Request) -> Response:
+    def simulate(asked: RunRequest, request: Request) -> Response:
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
         shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
@@ -295,12 +295,12 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         return history.history(project)
 
     @app.post("/api/compare")
-    def compare(asked: Compared, request: Request) -> Response:
+    def compare(asked: OverlayRequest, request: Request) -> Response:
         """Draw recordings over each other."""
         return _told(history.compared(project, asked.paths, asked.channels), request)
 
     @app.post("/api/kinematics")
-    def kinematics(asked: Sweep, request: Request) -> Response:
+    def kinematics(asked: SweepRequest, request: Request) -> Response:
         """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
         return _told(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
 
@@ -314,7 +314,7 @@ def _document(entry: Entry) -> str:
     return f"/api/document?{urlencode({'path': entry.path})}"
 
 
-def _told(shown: answers.Shown, request: Request) -> Response:
+def _told(shown: answers.CurvesAnswer, request: Request) -> Response:
     """Curves as JSON for scripts; for the page, which asks for bytes, as numbers that need no reading."""
     if "application/octet-stream" in request.headers.get("accept", ""):
         return Response(shown.straight(), media_type="application/octet-stream")

@@ -30,7 +30,7 @@ _LINE = re.compile(r"at line (\d+)")
 
 
 @dataclass(frozen=True)
-class Problem:
+class FormProblem:
     """What is wrong with a text: the path of the value (empty where it is the whole), its line (0 for none), words."""
 
     path: str
@@ -49,7 +49,7 @@ class Form:
     text: str
     values: dict[str, Any]
     model: str
-    problems: tuple[Problem, ...] = ()
+    problems: tuple[FormProblem, ...] = ()
     rig: dict[str, Any] | None = None
     changed: tuple[str, ...] = field(default=())
     python: str = ""
@@ -89,7 +89,7 @@ def form_of(
         values = toml_table(text)
     except tomllib.TOMLDecodeError as error:
         line = _LINE.search(str(error))
-        return Form(text, {}, "", (Problem("", int(line[1]) if line else 0, f"not valid TOML: {error}"),))
+        return Form(text, {}, "", (FormProblem("", int(line[1]) if line else 0, f"not valid TOML: {error}"),))
     model = str(values.get("model", ""))
     saved = project.read(path).text if file.is_file() else ""
     try:
@@ -153,13 +153,15 @@ def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
     return f"{load}  # once it is saved: more than numbers is changed\nprint(rig)\n"
 
 
-def _problems(error: JounceError) -> tuple[Problem, ...]:
+def _problems(error: JounceError) -> tuple[FormProblem, ...]:
     lines = str(error).split("\n")
     found = []
     for line in lines:
         placed = _PLACED.match(line)
         found.append(
-            Problem(placed["path"], int(placed["line"] or 0), placed["what"]) if placed else Problem("", 0, line)
+            FormProblem(placed["path"], int(placed["line"] or 0), placed["what"])
+            if placed
+            else FormProblem("", 0, line)
         )
     return tuple(found)
 

@@ -24,7 +24,7 @@ from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.locking import holding
 from jounce.core.serialise import to_json
 from jounce.core.writing import write_atomically
-from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of, word
+from jounce.web.answers import Changes, CurvesAnswer, digest_of, rig_of, trial_of, word
 from jounce.web.project import Project
 from jounce.web.untrusted import content, plain_json
 
@@ -132,7 +132,7 @@ def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
         return False
 
 
-def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) -> Shown:
+def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) -> CurvesAnswer:
     """Draw recordings of the project over each other."""
     import jounce as jn
     from jounce.report.recordings import curve_viewer
@@ -141,7 +141,9 @@ def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) ->
     lines = "".join(f"    {path!r}: jn.read_recording({path!r})[0],\n" for path in runs)
     python = f"import jounce as jn\n\nfigure = jn.plots.compare({{\n{lines}}})\n"
     command = command_line(["jounce", "plot", *map(word, runs), "--figure", "compared.png"])
-    return Shown(curve_viewer({"": runs}, list(channels) or None), {"python": python, "command": command, "files": {}})
+    return CurvesAnswer(
+        curve_viewer({"": runs}, list(channels) or None), {"python": python, "command": command, "files": {}}
+    )
 
 
 def _digest(plain: Any) -> str:

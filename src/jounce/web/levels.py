@@ -81,7 +81,7 @@ class Levels:
 
     def viewer(self, names: Sequence[str], low: float, high: float, columns: int) -> Viewer:
         """Give some channels from ``low`` to ``high`` (in the unit of its time) in so many columns."""
-        from jounce.report.live import Curve, Pane, Scene, Viewer
+        from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 
         known = {one["name"]: k for k, one in enumerate(self.about["channels"])}
         for name in names:
@@ -97,7 +97,7 @@ class Levels:
             unit = self.about["channels"][known[name]]["unit"]
             panes.append(Pane(name, name, DisplayUnit(unit, 1.0).name, (Curve(name, "after", y),)))
         places = np.arange(first, last) if edges is None else _twice(edges)
-        scene = Scene("record", "record", self._time(places), tuple(panes))
+        scene = ViewerScene("record", "record", self._time(places), tuple(panes))
         return Viewer("", (scene,), (("after", "record", True),), unit=self.about["unit"])
 
     def _values(self, channel: int, first: int, last: int, edges: Any) -> Array:

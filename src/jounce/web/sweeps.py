@@ -12,7 +12,18 @@ from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, digest_of, rig_of, set_by, variants, word
+from jounce.web.answers import (
+    ONE,
+    Changes,
+    CurvesAnswer,
+    arguments,
+    changed_by,
+    digest_of,
+    rig_of,
+    set_by,
+    variants,
+    word,
+)
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -47,7 +58,7 @@ class Question:
     study: str = ""
 
 
-def swept(project: Project, asked: Question) -> Shown:
+def swept(project: Project, asked: Question) -> CurvesAnswer:
     """Sweep a 3-D corner as it is changed, as it is saved, and as another one: curves, and how to get the same."""
     from jounce.kinematics.sweeps import sweep_values
     from jounce.report.recordings import curve_viewer
@@ -69,7 +80,7 @@ def swept(project: Project, asked: Question) -> Shown:
         "targets": _bands(first, wanted, asked.over, viewer),
         "notes": [_note(label, run) for label, run in runs.items() if run.attrs.get("status") != "completed"],
     }
-    return Shown(viewer, more | _ways(asked))
+    return CurvesAnswer(viewer, more | _ways(asked))
 
 
 def _run(rig: Rig, asked: Question) -> xr.Dataset:

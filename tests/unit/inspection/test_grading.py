@@ -14,7 +14,7 @@ from jounce.core.findings import Finding
 from jounce.inspection.grading import _of_tyre, difference_of, grade, grade_vehicle, near_edges, worst
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.methods import QUANTITIES
-from jounce.inspection.quarter_car import Corner, steady_state
+from jounce.inspection.quarter_car import LinearQuarterCar, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 
 SOUND = {
@@ -274,7 +274,7 @@ def test_worst_verdicts() -> None:
 
 def light_wheel() -> WheelResult:
     """A light car with a stiff tyre and a sound damper, by the linear model."""
-    corner = Corner(230.0, 30.0, 16e3, 1100.0, 240e3)
+    corner = LinearQuarterCar(230.0, 30.0, 16e3, 1100.0, 240e3)
     steady = steady_state(corner)
     curves = WheelCurves(*(np.full(3, value) for value in (0.0, 12.0, 0.0, 0.0, 60.0)), np.full(3, 3e-3))
     return WheelResult(

@@ -123,10 +123,10 @@ def test_real_processes_give_the_same(study: Equivalence, monkeypatch):
 
 
 def test_a_page_says_where_the_tests_disagree(study: Equivalence) -> None:
-    from jounce.report import Table, equivalence_page
+    from jounce.report import PageTable, equivalence_page
 
     page = equivalence_page(study, title="tests")
-    (table,) = (block for block in page.blocks() if isinstance(block, Table))
+    (table,) = (block for block in page.blocks() if isinstance(block, PageTable))
     assert len(table.rows) == len(study.disagreements)
     for row, found in zip(table.rows, study.disagreements, strict=True):
         passed = row[4]

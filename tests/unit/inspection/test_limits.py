@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.inspection.limits import Band, Criterion, load_limits, shipped_limits
+from jounce.inspection.limits import Criterion, VerdictBand, load_limits, shipped_limits
 
 
 def changed(tmp_path: Path, old: str, new: str) -> Path:
@@ -149,8 +149,8 @@ def test_nothing_between_bands_falls_through_by_rounding() -> None:
         quantity="theta_road",
         source="test",
         bands=(
-            Band(start=0.0, end=end, label="low", colour="red", verdict="fail"),
-            Band(start=start, label="high", colour="green", verdict="pass"),
+            VerdictBand(start=0.0, end=end, label="low", colour="red", verdict="fail"),
+            VerdictBand(start=start, label="high", colour="green", verdict="pass"),
         ),
     )
     for value in (start, end):

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jounce.core.errors import DescriptionError
-from jounce.inspection.limits import Band, Criterion
+from jounce.inspection.limits import Criterion, VerdictBand
 
 EDGES = (
     st.lists(st.floats(-1e3, 1e3), min_size=2, max_size=6, unique=True)
@@ -19,10 +19,10 @@ EDGES = (
 )
 
 
-def bands(edges: list[float], included: list[bool]) -> list[Band]:
+def bands(edges: list[float], included: list[bool]) -> list[VerdictBand]:
     ends = zip(edges[:-1], edges[1:], included, strict=False)
     return [
-        Band(start=a, end=b, end_included=closed, label=f"{i}", colour="green", verdict="pass")
+        VerdictBand(start=a, end=b, end_included=closed, label=f"{i}", colour="green", verdict="pass")
         for i, (a, b, closed) in enumerate(ends)
     ]
 
@@ -53,6 +53,6 @@ def test_any_gap_or_overlap_is_refused(edges: list[float], by: float, gap: bool,
     which = data.draw(st.integers(1, len(made) - 1))
     moved = made[which].start + (by if gap else -by)
     end = math.inf if which == len(made) - 1 else edges[-1] + 200.0
-    made[which] = Band.model_construct(**{**dict(made[which]), "start": moved, "end": end})
+    made[which] = VerdictBand.model_construct(**{**dict(made[which]), "start": moved, "end": end})
     with pytest.raises(DescriptionError, match="a gap" if gap else "an overlap"):
         Criterion(quantity="theta_road", source="test", bands=tuple(made[: which + 1]))

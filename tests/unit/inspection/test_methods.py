@@ -12,16 +12,16 @@ from jounce.core.errors import DescriptionError
 from jounce.inspection import evaluate, grade
 from jounce.inspection.findings import sentence_of, warning
 from jounce.inspection.limits import Limits, shipped_limits
-from jounce.inspection.methods import METHODS, QUANTITIES, Found, Method, WheelTest, methods_on
-from jounce.inspection.quantities import Quantity
+from jounce.inspection.methods import METHODS, QUANTITIES, Method, MethodResult, WheelTest, methods_on
+from jounce.inspection.quantities import WheelQuantity
 
-STROKE = Quantity("mean_stroke", "m", "mm", 1e3, 2, "mean stroke of the plate", "mittlerer Hub der Platte")
+STROKE = WheelQuantity("mean_stroke", "m", "mm", 1e3, 2, "mean stroke of the plate", "mittlerer Hub der Platte")
 
 
-def mean_stroke(test: WheelTest) -> Found:
+def mean_stroke(test: WheelTest) -> MethodResult:
     value = float(np.mean(test.strokes))
     about = [warning(f"{test.signals.wheel}.plate.z", "long_stroke", value, stroke=1e3 * value)]
-    return Found({STROKE.name: value}, {STROKE.name: 1e-5}, about)
+    return MethodResult({STROKE.name: value}, {STROKE.name: 1e-5}, about)
 
 
 @pytest.fixture

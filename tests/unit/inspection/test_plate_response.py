@@ -10,7 +10,7 @@ import pytest
 from jounce.core.errors import FitError
 from jounce.inspection.methods import half_power, theta_by_decay
 from jounce.inspection.quarter_car import (
-    Corner,
+    LinearQuarterCar,
     fit_response,
     force_response,
     responses,
@@ -26,8 +26,8 @@ from jounce.testers.plate_response import road_damping_ratio
 from jounce.testers.plates import phase_angle
 
 
-def corner(car) -> Corner:
-    return Corner(car.ms, car.mu, car.k, car.c, car.kt, car.ct)
+def corner(car) -> LinearQuarterCar:
+    return LinearQuarterCar(car.ms, car.mu, car.k, car.c, car.kt, car.ct)
 
 
 class TestResponse:
@@ -38,7 +38,7 @@ class TestResponse:
         several = np.array([[car.mu, car.k, car.c, car.kt, car.ct, car.ms], [40.0, 3e4, 1500.0, 2e5, 0.0, 350.0]])
         found = responses(several, 2j * np.pi * frequency)
         assert np.allclose(found[0], car.response(frequency), rtol=1e-9)
-        other = Corner(350.0, 40.0, 3e4, 1500.0, 2e5)
+        other = LinearQuarterCar(350.0, 40.0, 3e4, 1500.0, 2e5)
         assert np.allclose(found[1], force_response(other, frequency), rtol=1e-9)
 
     def test_poles_equal_the_twin(self, twin):
@@ -49,7 +49,7 @@ class TestResponse:
             assert np.allclose(found, np.sort_complex(np.linalg.eigvals(matrix)), rtol=1e-7)
 
     def test_overdamped_wheel_counts_as_one(self):
-        damping, frequency = wheel_damping(road_poles(Corner(400.0, 40.0, 25e3, 12e3, 200e3)))
+        damping, frequency = wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 12e3, 200e3)))
         assert damping == 1.0
         assert frequency > 1.0
 
@@ -202,7 +202,7 @@ class TestDampingRatios:
         assert theta_by_decay(np.sin(60.0 * t), 1000.0) is None
 
     def test_conversion_is_what_the_rig_does(self):
-        car = Corner(400.0, 40.0, 25e3, 400.0, 200e3)
+        car = LinearQuarterCar(400.0, 40.0, 25e3, 400.0, 200e3)
         road = road_damping_ratio(
             wheel_damping(rig_poles(car, 20.0, 50e3))[0],
             wheel_rate=25e3, tyre_stiffness=200e3, unsprung_mass=40.0, plate_mass=20.0, plate_spring_rate=50e3,
@@ -212,22 +212,22 @@ class TestDampingRatios:
 
 class TestSteadyState:
     def test_minimum_at_an_end_is_said(self):
-        found = steady_state(Corner(400.0, 40.0, 25e3, 3500.0, 200e3))
+        found = steady_state(LinearQuarterCar(400.0, 40.0, 25e3, 3500.0, 200e3))
         assert found.phase_at_end
         assert found.phase_frequency_hz == 6.0
-        assert not steady_state(Corner(400.0, 40.0, 25e3, 1000.0, 200e3)).phase_at_end
+        assert not steady_state(LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3)).phase_at_end
 
     def test_linear_lift_off_counts_as_zero(self):
-        found = steady_state(Corner(150.0, 40.0, 12e3, 300.0, 200e3))
+        found = steady_state(LinearQuarterCar(150.0, 40.0, 12e3, 300.0, 200e3))
         assert found.lift_off
         assert found.adhesion == 0.0
         assert found.relative_force_amplitude > 1.0
 
     def test_band_limit_matters_with_a_damped_tyre(self):
-        car = Corner(400.0, 40.0, 25e3, 2500.0, 200e3, 2000.0)
+        car = LinearQuarterCar(400.0, 40.0, 25e3, 2500.0, 200e3, 2000.0)
         assert steady_state(car, highest=25.0).adhesion > steady_state(car, highest=60.0).adhesion + 0.05
 
     def test_any_response_will_do(self):
-        car = Corner(400.0, 40.0, 25e3, 1000.0, 200e3)
+        car = LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3)
         given = steady_state(lambda f: force_response(car, f), 4316.4)
         assert given == steady_state(car, 4316.4)

@@ -10,7 +10,14 @@ import pytest
 
 from jounce.inspection import methods, quarter_car, turn_forces
 from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, rigidity_findings
-from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, stretch_of, wheel_damping
+from jounce.inspection.quarter_car import (
+    LinearQuarterCar,
+    ResponseFit,
+    body_damping,
+    road_poles,
+    stretch_of,
+    wheel_damping,
+)
 from jounce.inspection.signals import WheelSignals, _residual_per_hz, find_turns
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import Analysis, FrequencyCurve, find_lift_off, stretches_between
@@ -18,7 +25,7 @@ from jounce.parts.testers import load_tester
 from jounce.testers.plates import phase_angle
 
 EGEA, THETA = load_tester("egea-specsus2018"), load_tester("theta-msd3000")
-CAR = Corner(400.0, 40.0, 25e3, 1000.0, 200e3, 100.0)
+CAR = LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3, 100.0)
 
 
 def held(hz: float, turns: float, *, noise: float = 0.0) -> tuple[WheelSignals, Sweep]:
@@ -96,7 +103,7 @@ def test_which_pole_is_the_wheels_and_which_the_bodys() -> None:
     assert wheel_damping(np.array([-1.0, -4.0, -60.0, -250.0], dtype=complex))[0] == 1.0
 
 
-def fitted(corner: Corner, relative: float) -> ResponseFit:
+def fitted(corner: LinearQuarterCar, relative: float) -> ResponseFit:
     """A fit whose parameters are all known to a share."""
     here = quarter_car._parameters(corner)
     return ResponseFit(corner, np.diag((relative * here) ** 2), 1.0, 0.995)
@@ -109,7 +116,7 @@ def test_spreads_follow_from_the_covariance() -> None:
     expected = abs(quarter_car.force_response(CAR, [8.0])[0])
 
     def response(**change: float) -> float:
-        return abs(quarter_car.force_response(Corner(**{**vars(CAR), **change}), [8.0])[0])
+        return abs(quarter_car.force_response(LinearQuarterCar(**{**vars(CAR), **change}), [8.0])[0])
 
     slopes = [
         (response(**{name: value * 1.001}) - response(**{name: value * 0.999})) / 0.002
@@ -148,7 +155,7 @@ def test_the_way_to_what_no_car_has_is_halved() -> None:
     np.testing.assert_array_equal(quarter_car._within(before, before, 440.0), before)
 
 
-def theta_of(corner: Corner, relative: float, tester=None):
+def theta_of(corner: LinearQuarterCar, relative: float, tester=None):
     """What THETA finds in a test without a height, of which only the fit is known."""
     signals = WheelSignals("left", np.arange(2.0), np.ones(2), None, None, 4e3, 20.0)
     return methods._theta(WheelTest(signals, SimpleNamespace(turns=None), 4e3, tester, fitted(corner, relative)))
@@ -160,12 +167,12 @@ def test_findings_of_damping_ratios() -> None:
     assert sound.values["theta_road"] == sound.values["theta_rig"] == pytest.approx(ratio)
     assert sound.values["explained_force"] == 0.995
     assert sound.findings == []
-    slope = (wheel_damping(road_poles(Corner(400.0, 40.0, 25e3, 1001.0, 200e3, 100.0)))[0] - ratio) * 1000.0
+    slope = (wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 1001.0, 200e3, 100.0)))[0] - ratio) * 1000.0
     only_damper = ResponseFit(CAR, np.diag([0.0, 0.0, 10.0**2, 0.0, 0.0, 0.0]), 1.0, 0.99)
     assert methods.theta_by_fit(only_damper, None).road_half_width == pytest.approx(1.96 * 0.01 * slope, rel=1e-2)
-    dead = Corner(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
+    dead = LinearQuarterCar(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
     assert [one.code for one in theta_of(dead, 0.01).findings] == ["undamped"]
-    firm = Corner(400.0, 40.0, 25e3, 7000.0, 200e3, 0.0)
+    firm = LinearQuarterCar(400.0, 40.0, 25e3, 7000.0, 200e3, 0.0)
     assert [one.code for one in theta_of(firm, 0.001).findings] == ["overdamped"]
     on_rig = theta_of(CAR, 0.01, THETA).values["theta_rig"]
     poles = quarter_car.rig_poles(
@@ -363,7 +370,7 @@ def test_damping_by_amplification_is_that_of_the_rig() -> None:
     spring, damper = THETA.plate_spring_rate, THETA.plate_damping_coefficient or 0.0
     critical = 2.0 * math.sqrt((CAR.spring_rate + CAR.tyre_stiffness) * CAR.unsprung_mass)
     for share, known in ((0.011, True), (0.1, True), (0.15, True), (0.0095, False)):
-        car = Corner(**{**vars(CAR), "damping_coefficient": share * critical})
+        car = LinearQuarterCar(**{**vars(CAR), "damping_coefficient": share * critical})
         gain = float(methods.plate_gain(car, THETA, np.linspace(1.5, 15.0, 541)).max())
         found = methods.theta_by_amplification(gain, CAR, THETA)
         expected = wheel_damping(quarter_car.rig_poles(car, THETA.plate_mass, spring, damper))[0]
@@ -471,15 +478,15 @@ def test_samples_that_belong_to_a_turn(sample: int, hit: bool) -> None:
 
 
 def test_frequencies_at_which_a_wheel_swings_on_by_itself() -> None:
-    dead = Corner(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
+    dead = LinearQuarterCar(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
     own = wheel_damping(road_poles(dead))[1]
     for frequency, swings in ((2.49, True), (2.51, False), (0.81 * own, True), (0.79 * own, False),
                               (1.19 * own, True), (1.21 * own, False)):  # fmt: skip
         assert turn_forces._is_own(frequency, dead) is swings
         assert turn_forces._is_own(frequency, CAR) is False
-    ratio = wheel_damping(road_poles(Corner(400.0, 40.0, 25e3, 300.0, 200e3, 0.0)))[0] / 300.0
+    ratio = wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 300.0, 200e3, 0.0)))[0] / 300.0
     for share, swings in ((0.95, True), (1.05, False)):
-        assert turn_forces._is_own(2.0, Corner(400.0, 40.0, 25e3, share * 0.05 / ratio, 200e3, 0.0)) is swings
+        assert turn_forces._is_own(2.0, LinearQuarterCar(400.0, 40.0, 25e3, share * 0.05 / ratio, 200e3, 0.0)) is swings
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from llvmlite import ir
 from llvmlite.binding import parse_assembly
 
 from jounce.kernel.lowering import _OPCODES, _SMALL, Lanes, Lowering, Wide
-from jounce.kernel.machine import Code, machine_code, this_machine
+from jounce.kernel.machine import MachineCode, machine_code, this_machine
 from jounce.kernel.native import compile_functions
 
 UNARY = {
@@ -112,7 +112,7 @@ def test_samples_side_by_side_are_each_what_they_are_alone():
     random = np.random.default_rng(5)
     x, at_u, shared = random.normal(size=(2, 8)), random.normal(size=(1, 8)), np.array([0.7, 0.2])
     found = np.empty((len(expressions), 8))
-    code = Code([machine_code(parse_assembly(str(lowering.module)), this_machine(), 3)], ("f",))
+    code = MachineCode([machine_code(parse_assembly(str(lowering.module)), this_machine(), 3)], ("f",))
     pointer = ctypes.POINTER(ctypes.c_double)
     call = ctypes.CFUNCTYPE(None, *[pointer] * 5)(code.address["f"])
     call(*(array.ctypes.data_as(pointer) for array in (x, at_u, shared[:1], shared[1:], found)))

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.mechanics.mass import Solid, check_inertia
+from jounce.mechanics.mass import SolidMass, check_inertia
 
 DENSITY = 7850.0
 SIZE, CENTRE = (0.2, 0.3, 0.1), (0.4, -0.1, 0.25)
 
 
-def close(one: Solid, other: Solid, tolerance: float = 1e-12) -> None:
+def close(one: SolidMass, other: SolidMass, tolerance: float = 1e-12) -> None:
     assert one.mass == pytest.approx(other.mass, rel=tolerance)
     np.testing.assert_allclose(one.centre_of_mass, other.centre_of_mass, rtol=0.0, atol=tolerance)
     size = np.max(np.abs(other.inertia))
@@ -53,7 +53,7 @@ def test_sphere_and_cylinder_have_textbook_moments():
     bar = jn.mechanics.cylinder(1000.0, 0.05, (0.1, 0.0, 0.0), (0.5, 0.0, 0.0))
     mass = 1000.0 * np.pi * 0.05**2 * 0.4
     across = mass * (3.0 * 0.05**2 + 0.4**2) / 12.0
-    close(bar, Solid(mass, np.array([0.3, 0.0, 0.0]), np.diag([0.5 * mass * 0.05**2, across, across])))
+    close(bar, SolidMass(mass, np.array([0.3, 0.0, 0.0]), np.diag([0.5 * mass * 0.05**2, across, across])))
 
 
 def test_tube_is_a_bar_less_its_bore():
@@ -69,7 +69,7 @@ def test_bar_turns_its_inertia_along():
     turn = np.array([[np.cos(a), -np.sin(a), 0.0], [np.sin(a), np.cos(a), 0.0], [0.0, 0.0, 1.0]])
     turn = turn @ np.array([[np.cos(b), 0.0, np.sin(b)], [0.0, 1.0, 0.0], [-np.sin(b), 0.0, np.cos(b)]])
     tilted = jn.mechanics.cylinder(DENSITY, 0.02, (0.0, 0.0, 0.0), turn @ [0.0, 0.0, 0.5])
-    close(tilted, Solid(straight.mass, turn @ straight.centre_of_mass, turn @ straight.inertia @ turn.T))
+    close(tilted, SolidMass(straight.mass, turn @ straight.centre_of_mass, turn @ straight.inertia @ turn.T))
 
 
 def test_halves_make_the_whole():

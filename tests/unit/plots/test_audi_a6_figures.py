@@ -16,7 +16,7 @@ from jounce.plots.audi_a6 import (
     exciter_torque_curve,
     start_up_transient,
 )
-from jounce.report import Table
+from jounce.report import PageTable
 from jounce.report.papers import audi_case_page
 
 
@@ -86,7 +86,7 @@ def test_figures_of_the_cases_follow_the_chosen_units(case, exciter):
     assert labels == [
         "plate\n[in]", "spring length\n[in]", "spring force\n[lbf]", "drive torque\n[lbf·ft]", "force on plate\n[lbf]",
     ]  # fmt: skip
-    tables = [block for block in page.blocks() if isinstance(block, Table)]
+    tables = [block for block in page.blocks() if isinstance(block, PageTable)]
     extremes = next(table for table in tables if table.caption.startswith("Extremes with a pitch moment"))
     assert extremes.header[1] == "z min [in]"
     window = next(run for run in case.runs).outputs["z"][0]

@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.plots.mechanisms.scene import poses_of, scene_of
-from jounce.report.live import Mechanism, mechanism_data
+from jounce.report.live import PosedRig, mechanism_data
 
 U_BAR = {
     "hardpoints.arb_pivot": [-0.08, 0.15, 0.36],
@@ -65,6 +65,6 @@ def test_third_springs_are_springs_in_the_viewer() -> None:
     rig = jn.load("formula-student-front").with_changes({**U_BAR, **BESIDE})
     scene = scene_of(rig)
     poses = poses_of(rig, scene, jn.sweep_travel(rig, [0.0], points=True))
-    parts = {part["name"]: part for part in mechanism_data(Mechanism(scene, poses))["parts"]}
+    parts = {part["name"]: part for part in mechanism_data(PosedRig(scene, poses))["parts"]}
     assert [name for name, part in parts.items() if part["coil"]] == ["third_spring"]
     assert len(parts["third_spring"]["points"]) == 2

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.plots.labels import Layout
+from jounce.plots.labels import LabelLayout
 from jounce.ride.study import RideStudy
 
 
@@ -51,12 +51,12 @@ def test_spectra_and_deviations_leave_the_settling_time_out(study: RideStudy) ->
     assert drawn.get_ydata() == pytest.approx(expected.density[1 : 1 + len(drawn.get_ydata())], rel=1e-12)
 
 
-def crowded() -> Layout:
+def crowded() -> LabelLayout:
     """Three heaps of points, the last one in a corner of the frame."""
     points = np.array([[200.0 + 4 * i, 150.0 + 3 * (i % 3)] for i in range(6)] + [[80.0, 250.0 + i] for i in range(4)])
     points = np.vstack([points, [[398.0, 3.0], [396.0, 5.0], [399.0, 9.0]]])
     sizes = np.column_stack([30.0 + 6.0 * (np.arange(len(points)) % 7), np.full(len(points), 9.0)])
-    return Layout(points, 3.0 + np.arange(len(points)) % 4, sizes, np.zeros(2), np.array([400.0, 300.0]))
+    return LabelLayout(points, 3.0 + np.arange(len(points)) % 4, sizes, np.zeros(2), np.array([400.0, 300.0]))
 
 
 def test_names_cover_neither_names_nor_points() -> None:
@@ -85,7 +85,7 @@ def test_lines_to_names_do_not_cross() -> None:
 
 
 def test_a_lone_name_stands_close_to_the_right() -> None:
-    study_of_one = Layout(
+    study_of_one = LabelLayout(
         np.array([[10.0, 20.0]]), np.array([4.0]), np.array([[30.0, 8.0]]), np.zeros(2), np.full(2, 99.0)
     )
     (x, y), *_ = study_of_one.placed()

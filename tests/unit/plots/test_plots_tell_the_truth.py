@@ -12,7 +12,7 @@ from jounce.plots.display import kinematic_value, settled
 from jounce.plots.figures import new_figure
 from jounce.plots.fits import _draw_correlation
 from jounce.plots.kinematics import kinematic_curves
-from jounce.report.live import Packed
+from jounce.report.live import PageArrays
 from jounce.report.papers import _headline
 from jounce.ride.study import RideStudy, compare_rides, iso_trial
 
@@ -26,7 +26,7 @@ def ride() -> RideStudy:
 class TestViewer:
     def test_small_changes_of_large_values_are_drawn_without_steps(self):
         camber = -2.0 + 1e-4 * np.linspace(-1.0, 1.0, 81) ** 2  # degrees
-        packed = Packed()
+        packed = PageArrays()
         packed.add(camber)
         assert packed.arrays[0]["step"] < 1e-3 * np.ptp(camber)
         assert packed.arrays[0]["low"] == pytest.approx(camber.min(), abs=1e-3 * np.ptp(camber))

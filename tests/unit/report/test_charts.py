@@ -15,13 +15,13 @@ import pytest
 
 from jounce.plots.thinning import thinned
 from jounce.report.chart import Chart, Panel, Series, chart_svg, panel_svg, tick_text, ticks
-from jounce.report.live import Curve, Packed, Pane, Scene, Viewer, bundle, live_data, scene_panels
+from jounce.report.live import Curve, PageArrays, Pane, Viewer, ViewerScene, bundle, live_data, scene_panels
 from jounce.report.render import chart_style, png_of
 
 ROOT = Path(__file__).parents[3]
 
 
-def unpacked(packed: Packed, index: int) -> np.ndarray:
+def unpacked(packed: PageArrays, index: int) -> np.ndarray:
     """What the page's script makes of an array, step by step as it does."""
     found = packed.arrays[index]
     if "even" in found:
@@ -61,7 +61,7 @@ def unpacked(packed: Packed, index: int) -> np.ndarray:
     ids=["even", "smooth", "noise", "gaps", "infinite", "constant", "unknown", "single", "huge", "jumps"],
 )
 def test_arrays_come_back_within_half_a_step(values: np.ndarray) -> None:
-    packed = Packed()
+    packed = PageArrays()
     index = packed.add(values)
     assert packed.add(values.copy()) == index  # once in the page
     back = unpacked(packed, index)
@@ -76,7 +76,7 @@ def test_long_records_keep_their_peaks() -> None:
     time = np.arange(1_000_000) / 1000.0
     signal = np.sin(time)
     signal[543_210], signal[654_321] = 9.0, -8.0
-    scene = Scene("long", "long", time, (Pane("a", "a", "", (Curve("a", "measured", signal),)),))
+    scene = ViewerScene("long", "long", time, (Pane("a", "a", "", (Curve("a", "measured", signal),)),))
     viewer = Viewer("long", (scene,), (("measured", "measured", True),))
     data = live_data([viewer])
     array = data["arrays"][data["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]]
@@ -87,7 +87,7 @@ def test_long_records_keep_their_peaks() -> None:
 
 def test_zero_is_zero_in_a_page() -> None:
     for values in (np.array([-0.3, 0.0, 17.0, 5.0]), np.array([0.0, -1e-7, 2e5, 3.0]), np.array([0.0, 0.1, np.nan])):
-        packed = Packed()
+        packed = PageArrays()
         back = unpacked(packed, packed.add(values))
         assert (back[values == 0.0] == 0.0).all()
 
@@ -170,7 +170,9 @@ def test_figures_beside_a_page_stand_alone_and_are_the_same_each_time() -> None:
 def test_a_still_figure_shows_what_the_viewer_shows_first() -> None:
     x = np.linspace(0.0, 1.0, 11)
     curves = (Curve("measured", "measured", x), Curve("other", "other-1", x))
-    scene = Scene("s", "s", x, (Pane("a", "words", "mm", curves), Pane("b", "b", "", curves, False)), window=(0.2, 0.4))
+    scene = ViewerScene(
+        "s", "s", x, (Pane("a", "words", "mm", curves), Pane("b", "b", "", curves, False)), window=(0.2, 0.4)
+    )
     panels = scene_panels(scene, "time", "s", ("measured",))
     assert [(len(panel.series), panel.x_range, panel.y_label) for panel in panels] == [(1, (0.2, 0.4), "[mm]")]
 

@@ -17,7 +17,7 @@ from jounce.core.display import shown_in
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
-from jounce.inspection.quarter_car import Corner, force_response, steady_state
+from jounce.inspection.quarter_car import LinearQuarterCar, force_response, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.report import protocol
 from jounce.report.protocol import (
@@ -34,7 +34,7 @@ FACTS = {"vehicle": "Audi A6", "plate_number": "M-ÄÖ 12", "date": "2026-11-21"
 
 
 def wheel(side: str, damping: float = 1300.0) -> WheelResult:
-    corner = Corner(330.0, 36.0, 22e3, damping, 210e3)
+    corner = LinearQuarterCar(330.0, 36.0, 22e3, damping, 210e3)
     steady = steady_state(corner)
     frequency = np.linspace(25.0, 4.0, 60)
     response = force_response(corner, frequency)
@@ -149,7 +149,7 @@ def test_both_wheels_of_both_axles_with_value_uncertainty_band_and_verdict(worn:
     row = next(row for row in front["rows"] if row["label"].startswith("Least phase angle"))
     left, right, difference, passes = row["cells"]
     assert row["decides"] is True
-    steady = steady_state(Corner(330.0, 36.0, 22e3, 1300.0, 210e3))
+    steady = steady_state(LinearQuarterCar(330.0, 36.0, 22e3, 1300.0, 210e3))
     assert left["text"] == f"{steady.phase_angle_min_deg:.1f}°"
     assert left["half"] == f"± 0.4° at {steady.phase_frequency_hz:.1f} Hz"  # behind its value, rounded up
     assert (left["band"], left["tone"]) == ("sufficient", "green")

@@ -14,7 +14,7 @@ from jounce.campaign.characterise import Characterisation
 from jounce.campaign.result import CampaignResult
 from jounce.report import campaign_page, write_campaign
 from jounce.report.campaign import most_important
-from jounce.report.page import Details, Facts, Table
+from jounce.report.page import Details, Facts, PageTable
 
 _VOID = {"wbr", "meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
 
@@ -61,7 +61,7 @@ def html(written: Path) -> str:
     return (written / "report.html").read_text(encoding="utf-8")
 
 
-def table_named(page, start: str) -> Table:
+def table_named(page, start: str) -> PageTable:
     def inside(blocks):
         for block in blocks:
             yield block
@@ -71,7 +71,7 @@ def table_named(page, start: str) -> Table:
         block
         for section in page.sections
         for block in inside(section.blocks)
-        if isinstance(block, Table) and block.caption.startswith(start)
+        if isinstance(block, PageTable) and block.caption.startswith(start)
     )
 
 

@@ -23,11 +23,11 @@ from jounce.report import (
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
     Section,
     Subsection,
-    Table,
     write_campaign,
     write_page,
 )
@@ -51,7 +51,7 @@ def everything() -> Page:
         Paragraph(HOSTILE, "bad"),
         Bullets((HOSTILE,)),
         Facts((Fact(HOSTILE, HOSTILE, HOSTILE, "good"),) * 5),
-        Table(HOSTILE, (HOSTILE,) * 3, (("a", Cell(HOSTILE, "fair", HOSTILE), "1.0"),) * 60, "lrc", HOSTILE),
+        PageTable(HOSTILE, (HOSTILE,) * 3, (("a", Cell(HOSTILE, "fair", HOSTILE), "1.0"),) * 60, "lrc", HOSTILE),
         Findings((Finding(HOSTILE, "problem", HOSTILE), Finding("p", "note", "n"))),
         Findings(()),
         Details(HOSTILE, (Subsection(HOSTILE, (Paragraph("deep"), Picture(figure, "p", HOSTILE, HOSTILE), chart)),)),
@@ -79,7 +79,7 @@ def test_no_column_leaves_the_page() -> None:
 
     header = tuple(f"column {k} [N/mm]" for k in range(11))
     row = ("a name of some length", *("1.2345 → 0.9876" for _ in range(9)), "holds partly")
-    wide = Page("Wide", (Section("s", (Table("t", header, (row,) * 3, "l" + "r" * 10),)),))
+    wide = Page("Wide", (Section("s", (PageTable("t", header, (row,) * 3, "l" + "r" * 10),)),))
     files = {"main.typ": (TEMPLATES / "page.typ").read_bytes()}
     kept: dict[str, bytes] = {}
 
@@ -96,7 +96,7 @@ def test_no_column_leaves_the_page() -> None:
 
 
 def test_tables_hold_numbers_and_no_formula() -> None:
-    table = Table(
+    table = PageTable(
         "A/B", ("=name", "value [mm]", "word"), (("=1+1", "−0.50", Cell("good", "good", "of all")), ("+x", "–", "-"))
     )
     rows = list(csv.reader(io.StringIO(table_csv(table))))

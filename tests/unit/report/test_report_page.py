@@ -16,11 +16,11 @@ from jounce.report import (
     Facts,
     Findings,
     Page,
+    PageTable,
     Paragraph,
     Picture,
     Section,
     Subsection,
-    Table,
 )
 from jounce.report import write_page as write
 from jounce.report.page import grouped, slug, unique_slugs, worst_first
@@ -41,7 +41,7 @@ def page(*blocks: object, **options: object) -> Page:
 
 def test_everything_is_shown_and_escaped(tmp_path: Path) -> None:
     nested = Details("More <i>", (Subsection("Deep", (Bullets(("<li>first", "second")),)),), is_open=True)
-    table = Table("Numbers", ("name", "value [mm]"), (("a<b", Cell("1.0", "bad", "note")),), "lr", "small")
+    table = PageTable("Numbers", ("name", "value [mm]"), (("a<b", Cell("1.0", "bad", "note")),), "lr", "small")
     facts = Facts((Fact("label", "42 %", "<note>", "good"),))
     found = Findings((Finding("trial 1", "problem", "x < y"),))
     write(page(Paragraph("a < b & c"), table, facts, found, nested, picture("p")), tmp_path / "out", figures=BOTH)

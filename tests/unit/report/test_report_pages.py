@@ -20,8 +20,8 @@ from jounce.report import (
     ride_page,
     roughness_page,
 )
-from jounce.report.live import Curve, Pane, Scene, live_data, scene_panels
-from jounce.report.page import Page, Paragraph, Table
+from jounce.report.live import Curve, Pane, ViewerScene, live_data, scene_panels
+from jounce.report.page import Page, PageTable, Paragraph
 from jounce.report.render import parted
 from jounce.ride.study import RideStudy, iso_trial
 
@@ -46,7 +46,7 @@ def test_names_and_values_of_any_kind_are_shown_as_they_are(tmp_path: Path) -> N
     assert "<img" not in html
     assert LONG in html.replace("<wbr>", "")
     assert REPORTS.write(page, tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
-    table = next(block for block in page.blocks() if isinstance(block, Table))
+    table = next(block for block in page.blocks() if isinstance(block, PageTable))
     rows = [[cell if isinstance(cell, str) else cell.text for cell in row] for row in table.rows]
     assert rows[6][3:7] == ["–"] * 4  # nothing is known of b.z
     assert "∞" not in "".join(rows[4]) + "".join(rows[5])  # an infinite value is no extreme
@@ -89,7 +89,7 @@ def test_rides_that_all_failed_are_a_page_that_says_so(tmp_path: Path) -> None:
 def test_a_model_without_modes_is_a_page_that_says_so() -> None:
     page = modes_page((), {"sprung.z": -0.01, "joint.q": 0.2}, title="still")
     assert "No oscillating mode" in texts(page)
-    (table,) = (block for block in page.blocks() if isinstance(block, Table))
+    (table,) = (block for block in page.blocks() if isinstance(block, PageTable))
     assert table.rows == (("sprung.z", "mm", "−10.00"), ("joint.q", "SI", "0.2000"))
 
 
@@ -120,7 +120,7 @@ def test_a_front_has_its_units_ends_and_texts_that_are_no_markup(tmp_path: Path)
         False, "a road, G_d = 1e-6 m^3", (),
     )  # fmt: skip
     page = front_page(front, title=HOSTILE)
-    beside, every = (block for block in page.blocks() if isinstance(block, Table))
+    beside, every = (block for block in page.blocks() if isinstance(block, PageTable))
     assert beside.rows[0][2:] == ("1.100", "0.2000", "15.00", "strut.damper.coefficient: 700.0 N·s/m")
     assert [row[1] for row in every.rows] == ["1.000", "2.000", "∞"]
     assert every.rows[1][2] == "–"
@@ -137,7 +137,7 @@ def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
         WheelVisit(2, "", HOSTILE, "", HOSTILE, {"adhesion": None}, "", ""),
     ]
     page = history_page(visits, [Trend("rear", "left", "adhesion", -0.104, 2)], title="B-AB 123 " + "漢" * 300)
-    change, every = (block for block in page.blocks() if isinstance(block, Table))
+    change, every = (block for block in page.blocks() if isinstance(block, PageTable))
     assert change.rows == (("rear left", "adhesion (EUSAMA)", "−10 %", "2"),)
     first, second = every.rows
     assert first[:5] == ("2025-11-21", "rear left", "62.0 %", "–", "–")
@@ -150,5 +150,5 @@ def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
 def test_titles_of_panels_keep_within_them() -> None:
     words = ("spring, stops, damper and friction, compression positive", "漢" * 300, "force")
     panes = tuple(Pane("strut.force", f"strut.force, {one}", "N", (Curve("", "after", np.zeros(2)),)) for one in words)
-    titles = [panel.title for panel in scene_panels(Scene("a", "a", np.arange(2.0), panes), "time", "s")]
+    titles = [panel.title for panel in scene_panels(ViewerScene("a", "a", np.arange(2.0), panes), "time", "s")]
     assert titles == ["strut.force, spring, stops, damper and friction", "strut.force", "strut.force, force"]

@@ -21,7 +21,7 @@ export interface Version {
   replaced: number;
 }
 
-export interface Problem {
+export interface FormProblem {
   path: string;
   line: number;
   text: string;
@@ -31,7 +31,7 @@ export interface Form {
   text: string;
   values: Record<string, unknown>;
   model: string;
-  problems: Problem[];
+  problems: FormProblem[];
   rig: Record<string, unknown> | null;
   changed: string[];
   python: string;

@@ -5,7 +5,7 @@ import { tr } from "../words";
 import type * as answers from "./answers";
 import { type Finding, Refused, told as refused } from "./refusals";
 
-export type { Problem, Text, Version } from "./answers";
+export type { FormProblem, Text, Version } from "./answers";
 
 export interface Entry extends answers.Entry {
   address: string;

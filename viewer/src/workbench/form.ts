@@ -2,7 +2,7 @@
 
 import { make } from "../page";
 import { tr } from "../words";
-import type { Problem } from "./api";
+import type { FormProblem } from "./api";
 import { key } from "./quantities";
 
 export type Key = string | number;
@@ -33,7 +33,7 @@ export class Form {
   readonly element = make("div", { class: "described" });
   private readonly open = new Set<string>(["hardpoints", "strut", "sprung", "unsprung", "tyre"]);
   private definitions: Record<string, Schema> = {};
-  private problems: Problem[] = [];
+  private problems: FormProblem[] = [];
 
   /** The field that is typed into, and what is to be shown once that is done. */
   private typing: EventTarget | null = null;
@@ -59,7 +59,7 @@ export class Form {
   }
 
   /** Shows what a text says; nothing is taken from under the hands of somebody who types. */
-  show(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
+  show(schema: Schema, values: { [key: string]: Value }, problems: FormProblem[]): void {
     this.next = () => this.made(schema, values, problems);
     this.follow();
   }
@@ -71,7 +71,7 @@ export class Form {
     next?.();
   }
 
-  private made(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
+  private made(schema: Schema, values: { [key: string]: Value }, problems: FormProblem[]): void {
     const active = document.activeElement,
       focused = active?.closest<HTMLElement>("[data-path]")?.dataset.path,
       inside = this.element.contains(active);

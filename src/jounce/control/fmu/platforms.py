@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Platform:
+class BinaryPlatform:
     """Where an FMU's binary runs: the folder's name in FMI 2.0, the compiler's target, the suffix."""
 
     fmi2: str
@@ -16,11 +16,11 @@ class Platform:
 
 
 PLATFORMS = {
-    "x86_64-linux": Platform("linux64", "x86_64-linux-gnu.2.17", ".so"),
-    "aarch64-linux": Platform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so"),
-    "x86_64-windows": Platform("win64", "x86_64-windows-gnu", ".dll"),
-    "x86_64-darwin": Platform("darwin64", "x86_64-macos", ".dylib"),
-    "aarch64-darwin": Platform("aarch64-darwin", "aarch64-macos", ".dylib"),
+    "x86_64-linux": BinaryPlatform("linux64", "x86_64-linux-gnu.2.17", ".so"),
+    "aarch64-linux": BinaryPlatform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so"),
+    "x86_64-windows": BinaryPlatform("win64", "x86_64-windows-gnu", ".dll"),
+    "x86_64-darwin": BinaryPlatform("darwin64", "x86_64-macos", ".dylib"),
+    "aarch64-darwin": BinaryPlatform("aarch64-darwin", "aarch64-macos", ".dylib"),
 }
 """Platforms by their names in FMI 3.0."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.exchange.fmu.variables import structured
 from jounce.mechanics import Mechanism, constant, constant_rate
-from jounce.mechanics.facts import Facts, speed_of
+from jounce.mechanics.facts import ModelFacts, speed_of
 from jounce.parts import Rig
 from jounce.roads import Trial, Versine
 from jounce.simulation.controlled import AnyControl
@@ -25,7 +25,7 @@ Given = Callable[[], tuple[Mapping[str, Array], str]]
 """Columns by name with the time first, and what the run was."""
 
 
-def of_rig(rig: Rig, facts: Facts, control: AnyControl | None) -> tuple[Mapping[str, Array], str]:
+def of_rig(rig: Rig, facts: ModelFacts, control: AnyControl | None) -> tuple[Mapping[str, Array], str]:
     """A rig over a bump."""
     run = simulate(rig, _BUMP, control=control, tolerance=TOLERANCE)
     time = run["time"].to_numpy()

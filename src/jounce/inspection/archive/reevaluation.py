@@ -70,7 +70,7 @@ def reevaluate(
     many.
     """
     numbers = store.numbers()
-    task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)
+    task = _Reevaluation(store.address, limits if limits is not None else load_limits(), tester, from_files)
     batches = [numbers[start : start + _BATCH] for start in range(0, len(numbers), _BATCH)]
     added, done, changed = 0, 0, []
     changes: Counter[tuple[str, str]] = Counter()
@@ -92,7 +92,7 @@ def reevaluate(
 
 
 @dataclass(frozen=True)
-class _Task:
+class _Reevaluation:
     address: str
     limits: Limits
     tester: Tester | None
@@ -100,7 +100,7 @@ class _Task:
 
 
 @contextmanager
-def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Found]]]:
+def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Found]]]:
     """Give what comes of the batches, in their order, as it comes."""
     if workers <= 1:
         store = Store(task.address, read_only=True)
@@ -144,7 +144,7 @@ def _one_thread_each() -> Iterator[None]:
 _open: dict[str, Any] = {}
 
 
-def _begin(task: _Task) -> None:
+def _begin(task: _Reevaluation) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
     _open.update(task=task, store=Store(task.address, read_only=True))
 
@@ -153,11 +153,11 @@ def _work(batch: list[int]) -> list[_Found]:
     return _work_on(_open["store"], _open["task"], batch)
 
 
-def _work_on(store: Store, task: _Task, batch: list[int]) -> list[_Found]:
+def _work_on(store: Store, task: _Reevaluation, batch: list[int]) -> list[_Found]:
     return [_again(store, task, number) for number in batch]
 
 
-def _again(store: Store, task: _Task, number: int) -> _Found:
+def _again(store: Store, task: _Reevaluation, number: int) -> _Found:
     """Evaluate one record again; whatever it meets, the others go on."""
     try:
         newest = store.newest_grading(number)

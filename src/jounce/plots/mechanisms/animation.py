@@ -55,7 +55,7 @@ def motion_of(
     most: Callable[[float], int],
     title: str = "",
     say: Callable[[str], None] = lambda _text: None,
-) -> Motion:
+) -> Animation:
     """Take what an animation shows of a sweep or a run: a part of it, and of that no more poses than ``most``.
 
     ``most`` is asked with the time (s) that a film of it plays; the other arguments are those of
@@ -69,7 +69,7 @@ def motion_of(
         ends = (tracks.nearest(to_si(value, tracks.unit, where="between"), "between") for value in between)
         first, last = sorted(ends)
         tracks = tracks.taken(slice(first, last + 1))
-    motion = Motion(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say)
+    motion = Animation(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say)
     kept, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
     if len(tracks) > count:  # evenly chosen
         kept = tracks.taken(np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int)))
@@ -98,7 +98,7 @@ def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Ro
 
 
 @dataclass(frozen=True)
-class Motion:
+class Animation:
     """What an animation shows."""
 
     scene: Scene
@@ -131,7 +131,7 @@ FRAMES_A_SECOND = 25.0
 _SWEEP_FRAMES_A_SECOND = 20.0
 
 
-def _write_gif(motion: Motion, file: Path) -> None:
+def _write_gif(motion: Animation, file: Path) -> None:
     """Write all poses; the film begins again, a sweep goes back the way it came."""
     from PIL import Image
 
@@ -140,7 +140,7 @@ def _write_gif(motion: Motion, file: Path) -> None:
     frames[0].save(file, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True)
 
 
-def _write_mp4(motion: Motion, file: Path) -> None:
+def _write_mp4(motion: Animation, file: Path) -> None:
     rate = f"{len(motion.order) / motion.seconds:.4f}"
     width, height = (round(_DOTS * inches) for inches in _SIZE)
     picture = ["-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}", "-r", rate, "-i", "-"]
@@ -175,7 +175,7 @@ def ffmpeg() -> str:
     return program
 
 
-def _frames(motion: Motion) -> Iterator[Pictures.Image]:
+def _frames(motion: Animation) -> Iterator[Pictures.Image]:
     """Draw one picture after the other; on the way back a sweep's are those of the way there."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
@@ -200,7 +200,7 @@ def _frames(motion: Motion) -> Iterator[Pictures.Image]:
 class _Film:
     """A figure whose content changes from pose to pose: in space, and from the side (a run) or the front (a sweep)."""
 
-    def __init__(self, motion: Motion) -> None:
+    def __init__(self, motion: Animation) -> None:
         from matplotlib.figure import Figure
 
         self.scene, self.poses, self.road = motion.scene, motion.poses, motion.road
