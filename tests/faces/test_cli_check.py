@@ -265,7 +265,7 @@ def test_settings_of_a_laboratory(cli, laboratory: Path) -> None:
         ('"10 mm"', '"10 N"', "laboratory.toml, line 4: obstacle.height: wrong unit"),
         ('sprung_mass = "16 kg"', "", "laboratory.toml: sprung_mass and unsprung_mass are missing"),
         ('sprung_mass = "16 kg"', 'rig = "kart-quater-car"', "laboratory.toml: rig: no such file and no shipped rig"),
-        ('"trials.csv"', '"table.csv"', "table.csv: no such file"),
+        ('"trials.csv"', '"table.csv"', "laboratory.toml: trials: no such file; found 'table.csv'"),
         ("trials", "trails", "laboratory.toml, line 5: trails: unknown key"),
     ],
 )

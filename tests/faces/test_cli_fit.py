@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -380,3 +381,61 @@ def test_torque_over_angle_on_the_command_line(cli, tmp_path: Path, spring_files
     assert (rig.exit_code, "this one is in N/m" in rig.err) == (2, True)
     mapped = cli("fit", "stiffness", twists[0], "--columns", "angle=angle [rad]")
     assert (mapped.exit_code, "another unit" in mapped.err) == (2, True)
+
+
+CALIBRATION = "displacement [mm],ch3 [V]\n0,0.401\n10,1.402\n20,2.399\n40,4.401\n"
+
+
+def test_calibration(cli, tmp_path: Path) -> None:
+    (tmp_path / "laser.csv").write_text(CALIBRATION, encoding="utf-8")
+    found = cli("fit", "calibration", "laser.csv", "--figure", "laser.svg", "--report", "laser.html", "--json").json
+    low, high = found["sensitivity"]["interval"]
+    assert low < 100.0 < high
+    assert found["sensitivity"]["value"] == pytest.approx(99.99, abs=0.01)
+    assert found["gain_doubt"] == pytest.approx(found["sensitivity"]["standard_error"] / found["sensitivity"]["value"])
+    assert found["residual"] == pytest.approx(0.0017 / 4.0, rel=0.05)
+    assert (found["file"], found["figure"], found["report"]) == ("laser.csv", "laser.svg", "laser.html")
+    shown = cli("fit", "calibration", "laser.csv").out
+    assert re.search(r"sensitivity +99\.986 +0\.051 +99\.77 to 100\.21 +V/m", shown)
+    assert 'sensitivity = "99.9857 V/(m)"' in shown
+
+
+def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
+    book = pytest.importorskip("openpyxl").Workbook()
+    for row in (["angle [deg]", "ch0 [mV]"], [0, 2601], [90, 2500], [180, 2400]):
+        book.active.append(row)
+    book.save(tmp_path / "tilt.xlsx")
+    found = cli("fit", "calibration", "tilt.xlsx", "--json").json
+    assert (found["quantity_unit"], found["recorded_unit"]) == ("m/s^2", "V")
+    assert found["reference"] == pytest.approx([9.80665, 0.0, -9.80665])
+    assert found["sensitivity"]["value"] == pytest.approx(0.1005 / 9.80665)
+
+
+@pytest.mark.parametrize(
+    ("content", "words", "message"),
+    [
+        ("load [N],out [V]\n5,1\n5,1.1\n", (), "cal.csv: points of one size tell nothing of a sensitivity; found '5'"),
+        ("load [N],out [V]\n0,1\n5,1\n", (), "a recorded value that does not change; found '1'"),
+        ("load [N],out [V]\n5,1\n", (), "cal.csv: too few points; found '1 and 1'; allowed: two or more pairs"),
+        ("load [N],out\n0,1\n5,2\n", (), "no column of what was recorded with its unit; found 'load [N], out'"),
+        ("load [N],out\n0,1\n5,2\n", (), "State the unit: --columns recorded='out [V]'."),
+        ("load,out [V]\n0,1\n5,2\n", (), "State the unit: --columns reference='load [N]'."),
+        (
+            "load [kg],out [V]\n0,1\n5,2\n",
+            ("--columns", "reference=load"),
+            "found 'load [kg]'",
+        ),
+        ("load [N],out [V]\n0,1\n5,2\n", ("--columns", "size=load"), "unknown column of a calibration 'size'"),
+        ("load [N],out [V]\n0,1\n5,2\n", ("--columns", "reference=weight"), "no column 'weight'"),
+        ("load [N],out [V]\n0,1\n5,x\n", (), "cal.csv, line 3: column 'out [V]': text in a number column"),
+        ("", (), "cal.csv: the file is empty"),
+    ],
+)
+def test_calibrations_that_tell_nothing(
+    content: str, words: tuple[str, ...], message: str, cli, tmp_path: Path
+) -> None:
+    (tmp_path / "cal.csv").write_text(content, encoding="utf-8")
+    outcome = cli("fit", "calibration", "cal.csv", *words, "--json")
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+    assert outcome.json["error"]["message"] in outcome.err

@@ -243,7 +243,7 @@ class _Maker:
             )
             return {}
         self.findings += found.findings
-        size, doubt = abs(found.sensitivity.value), found.gain_doubt
+        size = abs(found.sensitivity.value)
         if channel.sensitivity:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
@@ -251,13 +251,9 @@ class _Maker:
                 self._note("campaign.calibration_differs", item.file.name, share, share=share, column=column)
         if found.sensitivity.value < 0.0:
             self._note("campaign.falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
-        table: dict[str, Any] = {"sensitivity": f"{size:.6g} {found.recorded_unit.replace('1', 'counts')}/({unit})"}
-        if found.sensitivity.value < 0.0:
-            table["orientation"] = -1
-        if doubt is not None:
-            table["gain_doubt"] = float(f"{doubt:.3g}")
-        if channel.high_pass is None:  # behind AC coupling a calibration's zero is none of the record
-            table["zero"] = f"{found.zero.value:.6g} {found.recorded_unit.replace('1', 'counts')}"
+        table = found.sensor()
+        if channel.high_pass is not None:  # behind AC coupling a calibration's zero is none of the record
+            del table["zero"]
         return table
 
     def _bench(self) -> dict[str, Any]:

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.errors import FitError
+from jounce.core.columns import Column, ColumnTable
+from jounce.core.errors import FitError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Columns, File, operation
+from jounce.core.results import Shows
 from jounce.core.samples import as_samples
-from jounce.core.shown import Shown
+from jounce.core.serialise import Plain
+from jounce.core.units import conversion_factor, is_unit_of
 from jounce.identify.estimate import Estimate, estimate
+from jounce.recordings.options import VARIABLE
 
 STANDARD_GRAVITY = 9.80665
 """m/s^2; what an accelerometer reads when it is turned over: local gravity differs by less than 0.3 %."""
@@ -20,8 +27,17 @@ _NOT_STRAIGHT = 0.01
 """Largest residual over the range from which on a sensor is called not straight: a class of accelerometers is 1 %."""
 
 
+def _unit_of_sensitivity(result: Calibration) -> str:
+    quantity = result.quantity_unit
+    return f"{_unit_of_record(result)}/{quantity if quantity.isalpha() else f'({quantity})'}"
+
+
+def _unit_of_record(result: Calibration) -> str:
+    return result.recorded_unit.replace("1", "counts")
+
+
 @dataclass(frozen=True)
-class Calibration(Shown):
+class Calibration(Plain):
     """A straight calibration: recorded = zero + sensitivity x reference.
 
     Attributes
@@ -40,20 +56,37 @@ class Calibration(Shown):
         What weakens it.
     """
 
-    sensitivity: Estimate
-    zero: Estimate
+    sensitivity: Annotated[Estimate, Shows("sensitivity", _unit_of_sensitivity)]
+    zero: Annotated[Estimate, Shows("zero", _unit_of_record)]
     quantity_unit: str
     recorded_unit: str
-    residual: float
+    residual: Annotated[float, Shows("largest residual, of the range", "%")]
     reference: tuple[float, ...]
     recorded: tuple[float, ...]
     findings: tuple[Finding, ...] = ()
 
+    also = ("gain_doubt",)
+
     @property
-    def gain_doubt(self) -> float | None:
+    def gain_doubt(self) -> Annotated[float | None, Shows("standard error of the gain", "%", 3)]:
         """Standard error of the sensitivity as a share of it (1); None with two points, which leave no residual."""
         error = self.sensitivity.standard_error
         return None if error is None else abs(error / self.sensitivity.value)
+
+    def off_the_line(self) -> tuple[float, ...]:
+        """Return what was recorded minus the line, point by point, in the recorded unit."""
+        zero, slope = self.zero.value, self.sensitivity.value
+        return tuple(y - zero - slope * x for x, y in zip(self.reference, self.recorded, strict=True))
+
+    def sensor(self) -> dict[str, Any]:
+        """Return the keys of a sensor in a campaign, or of a channel in the settings of a laboratory."""
+        unit, recorded, doubt = self.quantity_unit, _unit_of_record(self), self.gain_doubt
+        keys: dict[str, Any] = {"sensitivity": f"{abs(self.sensitivity.value):.6g} {recorded}/({unit})"}
+        if self.sensitivity.value < 0.0:
+            keys["orientation"] = -1
+        if doubt is not None:
+            keys["gain_doubt"] = float(f"{doubt:.3g}")
+        return {**keys, "zero": f"{self.zero.value:.6g} {recorded}"}
 
 
 def fit_calibration(
@@ -129,25 +162,61 @@ def fit_calibration(
     )
 
 
-def read_calibration(path: Path | str) -> Calibration:
-    r"""Fit the calibration in a file with one column of known sizes and one of what was recorded (V, mV, A, counts).
+POINTS = Columns(
+    "Column of the known sizes (reference) or of what was recorded (recorded), with its unit if the header gives none: "
+    r'reference="F \[kN]". Repeat it.',
+    "NAME=COLUMN",
+    'reference="F [kN]"',
+)
+QUANTITIES = ("rad", "m/s^2", "m", "N", "Pa", "m/s", "rad/s", "N*m")
+"""SI units of the sizes at which sensors are calibrated; an angle is a tilt test."""
+_COUNTS = ("count", "counts", "lsb", "digits", "bits")
+
+
+@operation(
+    "fit calibration",
+    named={"path": "points"},
+    echo={"file": "points"},
+    offers=("figure", "report"),
+    page="jounce.report.laboratory:calibration_page",
+    title="{points}",
+    doing="fitting",
+    example="jounce fit calibration tilt.csv",
+)
+def read_calibration(
+    path: Annotated[
+        Path | str, File("Table of known sizes, or angles from the vertical, and what was recorded at each.", "FILE")
+    ],
+    *,
+    columns: Annotated[Mapping[str, str] | str | None, POINTS] = None,
+    variable: Annotated[str, VARIABLE] = "",
+) -> Calibration:
+    r"""Fit the sensitivity and the zero of a sensor to the points of a file.
 
     A column of angles (of the sensitive axis from the vertical) is a tilt test.
 
     Parameters
     ----------
     path : Path or str
-        Any file of columns: text, workbook, or a format of the extra ``io``.
+        Any file of columns: text, workbook, or a format of the extra ``io``. One column has known sizes, one what was
+        recorded at each, in V, A or counts.
+    columns : mapping of str to str, or str, optional
+        Columns ``reference`` and ``recorded`` of the file, with a unit where the file gives none; by default the first
+        that have such units. As one text: names and units of all columns in their order.
+    variable : str
+        Sheet of a workbook, matrix (``.mat``) or group (``.tdms``, ``.nc``) to read.
 
     Returns
     -------
     Calibration
-        Sensitivity and zero with 95 % intervals.
+        Sensitivity and zero with 95 % intervals, as :func:`fit_calibration` gives them.
 
     Raises
     ------
+    RecordingError
+        For a file that cannot be read.
     FitError
-        For other columns, or points that tell nothing.
+        For columns without a unit or with another one, or points that tell nothing.
 
     Examples
     --------
@@ -157,29 +226,66 @@ def read_calibration(path: Path | str) -> Calibration:
     >>> round(read_calibration(file).sensitivity.value, 6)
     0.010197
     """
-    from jounce.core.units import conversion_factor, is_unit_of
+    from jounce.core.files import existing_file
     from jounce.recordings.reader import ReaderOptions
     from jounce.recordings.readers import read_signals
 
-    file = Path(path)
-    table = read_signals(file, ReaderOptions()).columns
-    electrical = [(column, si) for column in table for si in ("V", "A") if column.unit and is_unit_of(column.unit, si)]
-    counts = [
-        (column, "1") for column in table if not column.unit or column.unit.casefold() in ("counts", "count", "lsb")
-    ]
-    recorded = (electrical or counts)[:1]
-    sizes = [column for column in table if not recorded or column is not recorded[0][0]]
-    unit = next((si for si in ("rad", "m/s^2", "m", "N", "Pa", "m/s") if sizes and is_unit_of(sizes[0].unit, si)), None)
-    if not recorded or unit is None:
-        raise FitError(
-            "not a calibration",
-            where=str(file),
-            found=", ".join(column.label for column in table),
-            allowed="a column of known sizes with its unit, and one in V, mV, A or counts",
-        )
-    column, si = recorded[0]
-    x = sizes[0].scaled(conversion_factor(sizes[0].unit, unit))
-    y = column.scaled(conversion_factor(column.unit, si) if si != "1" else 1.0)
+    file = existing_file(path, RecordingError)
+    names = columns if isinstance(columns, str) else ""
+    table = read_signals(file, ReaderOptions(variable, names)).columns
+    given = dict(columns) if isinstance(columns, Mapping) else {}
+    reference, recorded = _points_in(table, given, str(file))
+    unit, electrical = _quantity_of(reference), _recorded_unit(recorded)
+    x = reference.scaled(conversion_factor(reference.unit, unit))
+    y = recorded.scaled(1.0 if electrical == "1" else conversion_factor(recorded.unit, electrical))
     if unit == "rad":
-        x, unit = STANDARD_GRAVITY * np.cos(x), "m/s^2"
-    return fit_calibration(x, y, unit=unit, recorded_unit=si, name=file.name)
+        x, unit = np.round(STANDARD_GRAVITY * np.cos(x), 12), "m/s^2"  # 90 deg is 0, not 6e-16 of it
+    return fit_calibration(x, y, unit=unit, recorded_unit=electrical, name=file.name)
+
+
+def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple[Column, Column]:
+    """Return the columns of known sizes and of what was recorded: those that are named, or the first of such units."""
+    from jounce.recordings.files import locate
+
+    words = ("reference", "recorded")
+    for name in given:
+        if name not in words:
+            raise unknown(name, words, what="column of a calibration", where=file)
+    reference, recorded = (locate(table, given[name]) if name in given else None for name in words)
+    free = [column for column in table if column.name not in {one.name for one in (reference, recorded) if one}]
+    if recorded is None:
+        electrical = [column for column in free if _recorded_unit(column)]
+        recorded = min(electrical, key=lambda column: _recorded_unit(column) == "1", default=None)
+    if reference is None:
+        sizes = (column for column in free if column is not recorded and _quantity_of(column))
+        reference = next(sizes, None)
+    if reference is None or not _quantity_of(reference):
+        raise _unusable("known sizes", reference, table, file, f"{', '.join(QUANTITIES)}, or converts to one of them")
+    if recorded is None or not _recorded_unit(recorded):
+        raise _unusable("what was recorded", recorded, table, file, "V, A or counts, or converts to one of them")
+    return reference, recorded
+
+
+def _unusable(what: str, column: Column | None, table: ColumnTable, file: str, allowed: str) -> FitError:
+    """Build the error for a column that is missing or has no unit that fits."""
+    bare = next((one.name for one in ([column] if column else table) if not one.unit), "")
+    name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
+    return FitError(
+        f"not a calibration: no column of {what} with its unit",
+        where=file,
+        found=", ".join(one.label for one in ([column] if column else table)),
+        allowed=f"a unit that is {allowed}",
+        hint=f"State the unit: --columns {name}='{bare} [{unit}]'." if bare else "",
+    )
+
+
+def _quantity_of(column: Column) -> str:
+    """Return the SI unit of a column of known sizes; empty for another column."""
+    return next((si for si in QUANTITIES if column.unit and is_unit_of(column.unit, si)), "")
+
+
+def _recorded_unit(column: Column) -> str:
+    """Return what a column was recorded in: V, A or 1 for counts; empty for another column."""
+    if column.unit.casefold() in _COUNTS or (not column.unit and column.name.casefold() in _COUNTS):
+        return "1"
+    return next((si for si in ("V", "A") if column.unit and is_unit_of(column.unit, si)), "")

@@ -276,7 +276,12 @@ def _check_laboratory(check: FileCheck) -> None:
             load(rig_named_in(laboratory.rig, check.file))
     if laboratory.trials:
         with check.step():
-            count = len(read_trials(existing_file(check.file.parent / laboratory.trials, RecordingError)))
+            try:
+                table = existing_file(check.file.parent / laboratory.trials, RecordingError)
+            except RecordingError as error:
+                where = f"{check.file}: trials"
+                raise RecordingError(error.what, where=where, found=laboratory.trials, hint=error.hint) from None
+            count = len(read_trials(table))
             check.what += f"; {count} trial{'' if count == 1 else 's'}"
 
 

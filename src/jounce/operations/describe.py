@@ -39,6 +39,7 @@ MODULES = (
     "jounce.design.model_comparison",
     "jounce.design.pareto",
     "jounce.design.springs",
+    "jounce.identify.calibration",
     "jounce.inspection.equivalence",
     "jounce.kinematics.swept",
     "jounce.kinematics.axle_loads",

@@ -21,6 +21,7 @@ from .figures import rendered as rendered
 from .figures import style as style
 from .figures import styled as styled
 from .figures import write_figure as write_figure
+from .fits import calibration_fit as calibration_fit
 from .fits import damper_loops as damper_loops
 from .fits import decay_fit as decay_fit
 from .fits import objectives as objectives

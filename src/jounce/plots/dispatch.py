@@ -120,6 +120,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.design.pareto import ParetoFront
     from jounce.design.spread import KinematicSpread
     from jounce.design.studied import StudiedDesign
+    from jounce.identify.calibration import Calibration
     from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
@@ -192,6 +193,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(StiffnessResult, fits.stiffness_fit)
     draw.register(PressureStiffness, fits.tyre_pressure)
     draw.register(DecayResult, fits.decay_fit)
+    draw.register(Calibration, fits.calibration_fit)
     draw.register(DamperCurve, of_damper)
     draw.register(MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options))
     draw.register(

@@ -34,10 +34,50 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.identify.calibration import Calibration
     from jounce.identify.decay import DecayResult
     from jounce.identify.force_deflection import Zero
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
     from jounce.identify.update import UpdatedParameter, UpdateResult
+
+
+@styled
+def calibration_fit(result: Calibration, title: str = "") -> Figure:
+    """Draw the points of a calibration with the line through them, and how far each lies off that line.
+
+    Parameters
+    ----------
+    result : Calibration
+        As :func:`jounce.fit_calibration` gives it.
+    title : str
+        What was calibrated.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        What was recorded against the known sizes, and what is left of it.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> points = jn.fit_calibration([0.0, 0.01, 0.02], [0.4, 1.41, 2.4], unit="m")
+    >>> [axes.get_ylabel() for axes in calibration_fit(points).axes]
+    ['recorded [V]', 'off the line [V]']
+    """
+    figure = new_figure(4.2)
+    above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.0]})
+    across = display_unit(result.quantity_unit)
+    recorded = result.recorded_unit.replace("1", "counts")
+    x = np.array(result.reference) * across.factor
+    ends = np.array([min(result.reference), max(result.reference)])
+    above.plot(ends * across.factor, result.zero.value + result.sensitivity.value * ends, color=AFTER, label="line")
+    above.plot(x, result.recorded, "o", color=MEASURED, markersize=4.5, label="measured")
+    above.set(ylabel=f"recorded [{recorded}]", title=title)
+    above.legend()
+    below.axhline(0.0, color=AFTER, linewidth=1.0)
+    below.plot(x, result.off_the_line(), "o", color=MEASURED, markersize=4.5)
+    below.set(ylabel=f"off the line [{recorded}]", xlabel=across.label("reference"))
+    return figure
 
 
 @styled

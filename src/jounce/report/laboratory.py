@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
+from jounce.core.results import fields_of, fields_table
+from jounce.plots import figure_of
 from jounce.report.page import (
     Bullets,
     Fact,
@@ -12,8 +15,10 @@ from jounce.report.page import (
     Page,
     PageTable,
     Paragraph,
+    Picture,
     Section,
     TableColumn,
+    as_table,
     table_of,
 )
 
@@ -39,35 +44,29 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
 
 
 def calibration_page(found: Calibration, *, title: str = "") -> Page:
-    """Sensitivity and zero with their intervals, and the points beside the line."""
-    rows = (("sensitivity", found.sensitivity), ("zero", found.zero))
-    recorded = found.recorded_unit.replace("1", "counts")
-    units = (f"{recorded}/({found.quantity_unit})", recorded)
-    results = table_of(
-        "Calibration",
-        (
-            TableColumn("quantity", [name for name, _ in rows]),
-            TableColumn("value", [f"{item.value:.6g}" for _, item in rows]),
-            TableColumn("standard error", [_text(item.standard_error) for _, item in rows]),
-            TableColumn(
-                "95 % interval",
-                ["" if item.interval is None else " to ".join(map(_text, item.interval)) for _, item in rows],
-            ),
-            TableColumn("unit", list(units)),
-        ),
-    )
-    line = [found.zero.value + found.sensitivity.value * x for x in found.reference]
+    """Sensitivity and zero with their intervals, the points beside the line, and the keys of a sensor."""
+    sensitivity, zero = fields_of(found, "sensitivity", "zero")
+    known = [field for field in fields_of(found, "residual", "gain_doubt") if field.value is not None]
+    note = "; ".join(f"{field.label} {field.in_words()}" for field in known) + "."
+    results = as_table(fields_table("Calibration", [sensitivity, zero]), note)
+    rounding = 1e-12 * max(map(abs, found.recorded))
     points = table_of(
         "Points",
         (
-            TableColumn(f"reference [{found.quantity_unit}]", [f"{x:.6g}" for x in found.reference]),
-            TableColumn(f"recorded [{recorded}]", [f"{y:.6g}" for y in found.recorded]),
+            TableColumn("reference", list(found.reference), found.quantity_unit),
+            TableColumn(f"recorded [{zero.unit}]", [f"{y:.6g}" for y in found.recorded]),
             TableColumn(
-                f"off the line [{recorded}]", [f"{y - fit:+.2g}" for y, fit in zip(found.recorded, line, strict=True)]
+                f"off the line [{zero.unit}]",
+                [f"{y:+.2g}" if abs(y) > rounding else "0" for y in found.off_the_line()],
             ),
         ),
     )
-    return Page(title or "Calibration", (Section("Calibration", (results, points, Findings(found.findings))),))
+    keys = Bullets(tuple(f"{name} = {json.dumps(value)}" for name, value in found.sensor().items()))
+    in_file = Paragraph("As keys of a sensor in a campaign, or of a channel in the settings of a laboratory:")
+    words = "What was recorded against the known sizes with the fitted line, and the points off that line."
+    picture = Picture(lambda: figure_of(found), "calibration", words, words)
+    blocks = (results, points, in_file, keys, Findings(found.findings), picture)
+    return Page(title or "Calibration", (Section("Calibration", blocks),), "Calibration of a sensor")
 
 
 def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:

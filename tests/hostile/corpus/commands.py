@@ -75,6 +75,7 @@ BASES = {
     "fit hardpoints": 'fit hardpoints formula-student-front poses.csv --free hardpoints.tie_rod_inner[2]="10 mm"',
     "fit decay": 'fit decay base.csv --channel road.z --mass "16 kg"',
     "fit damper": "fit damper damper.csv",
+    "fit calibration": "fit calibration tilt.csv",
     "bench speed": 'bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
     "bench drive": 'bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',
     "bench scale": 'bench scale --prototype-mass "18.6 kg"',
@@ -263,6 +264,7 @@ def prepare() -> None:
     force = 900.0 * np.cos(2.0 * np.pi * 3.0 * time)
     poses = np.linspace(-0.03, 0.03, 13)
     write("poses.csv", "wheel_travel [m], toe [deg]", poses, 0.3 - 4.0 * poses)
+    write("tilt.csv", "angle [deg], out [V]", np.array([0.0, 90.0, 180.0]), np.array([2.6, 2.501, 2.4]))
     write("damper.csv", "time [s], displacement [m], force [N]", time, 0.02 * wave, force)
     long = np.arange(5000) * 0.005
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))

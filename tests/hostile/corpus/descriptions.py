@@ -94,6 +94,17 @@ speed = "10 m/s"
 duration = "0.5 s"
 """
 
+_LABORATORY = """schema = "jounce.laboratory/1"
+sprung_mass = "16 kg"
+unsprung_mass = "5 kg"
+obstacle = {height = "10 mm", length = "60 mm"}
+belt = {length = "1.97 m", radius = "50 mm", pulses = 12, column = "ch2"}
+trials = "trials.csv"
+[channels]
+ch0 = {measures = "sprung.az", sensitivity = "100 mV/g", high_pass = "0.5 Hz"}
+ch1 = {measures = "unsprung.az", sensitivity = ["10 pC/(m/s^2)", "1 mV/pC"], orientation = -1}
+"""
+
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
     "rig in 3-D": Kind(_shipped(*_LIBRARY, "kart-double-wishbone.toml"), use="modes given.toml"),
@@ -114,6 +125,7 @@ KINDS = {
     ),
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
+    "laboratory": Kind(lambda: _LABORATORY, use="campaign sheet given.toml"),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
     "optimisation": Kind(lambda: _OPTIMISATION),

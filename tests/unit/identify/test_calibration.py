@@ -9,6 +9,7 @@ import pytest
 
 from jounce.core.errors import FitError
 from jounce.identify.calibration import fit_calibration, read_calibration
+from jounce.recordings.conditioning import sensitivity_of
 
 
 def test_intervals_cover_the_true_sensitivity() -> None:
@@ -64,6 +65,31 @@ def test_files_are_read(tmp_path: Path, text: str, unit: str, sensitivity: float
     found = read_calibration(file)
     assert found.quantity_unit == unit
     assert found.sensitivity.value == pytest.approx(sensitivity, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("header", "columns"),
+    [
+        ("load,out", {"reference": "load [kN]", "recorded": "out [mV]"}),
+        ("load,out", "load [kN], out [mV]"),
+        ("load [kN],out", {"recorded": "out [mV]"}),
+    ],
+)
+def test_units_can_be_stated_beside_the_file(tmp_path: Path, header: str, columns: object) -> None:
+    file = tmp_path / "cal.csv"
+    file.write_text(f"{header}\n0,2\n1,12\n2,22\n", encoding="utf-8")
+    found = read_calibration(file, columns=columns)
+    assert (found.quantity_unit, found.recorded_unit) == ("N", "V")
+    assert found.sensitivity.value == pytest.approx(1e-5)
+    assert found.zero.value == pytest.approx(2e-3)
+
+
+def test_keys_of_a_sensor_read_the_points_back() -> None:
+    found = fit_calibration([0.0, 100.0, 200.0], [0.5, -0.5, -1.5], unit="N")
+    keys = found.sensor()
+    assert keys["orientation"] == -1
+    assert sensitivity_of(keys["sensitivity"], "N").factor == pytest.approx(0.01)
+    assert keys["zero"] == "0.5 V"
 
 
 def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
