@@ -334,6 +334,8 @@ def _front(
     first, last = (soft.whole(holding, end.values)[0] for end in ends)
     if first <= last * (1.0 + _SAME):
         return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
+    # Of two goals, one as a limit places the designs where they are wanted, and `search` is that of one goal. The
+    # mixtures of goals in `front_search` serve any number of them, but land where the front happens to bend.
     along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
     table.append(ends[0].values)
     holds = ends[0].settled or is_optimal(soft, ends[0].values).holds

@@ -13,7 +13,7 @@ from jounce.kinematics import sweep_travel
 from jounce.kinematics.loads import bump_axis
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
-from jounce.parts.bodies import Triple, distance
+from jounce.parts.bodies import INERTIA_ELEMENTS, Triple, distance
 from jounce.parts.leverage import AXES
 
 C = TypeVar("C", bound=Corner)
@@ -53,9 +53,10 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     known = {} if upright is None else {"upright": upright, "wheel": upright}
     for name, body in () if "bodies" in rig.without else rig.body_masses().items():
         turn, shift = known.get(name) or _body_motion(rig, name, before, after)
+        inertia = turn @ body.inertia.tensor @ turn.T
         table["bodies"][name] |= {
             "centre_of_mass": tuple(map(float, turn @ np.array(body.centre_of_mass) + shift)),
-            "inertia": _tensor(turn @ body.inertia.tensor @ turn.T),
+            "inertia": {element: float(inertia[at]) for element, at in INERTIA_ELEMENTS.items()},
         }
     turn, _ = known.get("upright") or _body_motion(rig, "upright", before, after)
     camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
@@ -162,8 +163,3 @@ def _keep_damper(damper: dict[str, Any], before: float, after: float) -> None:
     """Let what a damper's law has of its stroke be what it is while the design length (m) becomes another one."""
     if "stiffness" in damper:
         damper["offset"] += damper["stiffness"] * (before - after)
-
-
-def _tensor(matrix: Array) -> dict[str, float]:
-    pairs = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
-    return {name: float(matrix[pair]) for name, pair in pairs.items()}

@@ -16,8 +16,9 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import check_writable, write_atomically
+from jounce.exchange.corners import corner_of, require_parts
 from jounce.parts import Rig
-from jounce.parts.bodies import RigidBody
+from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
 from jounce.parts.dampers import LinearDamper, MapDamper
 from jounce.parts.elements import TableCurve
@@ -100,17 +101,10 @@ def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, f
 
 
 def _left(rig: Rig) -> Corner:
-    if not isinstance(rig, Corner):
-        raise OutputError(
-            "the rig is no suspension of Chrono",
-            where="rig",
-            found=getattr(rig, "model", type(rig).__name__),
-            allowed="3-D corners: double-wishbone, mcpherson, five-link",
-        )
-    rig.require("bodies", "spring", "damper", what="a suspension of Chrono")
-    if "spring" in rig.without:
-        raise OutputError("a torsion bar in place of the strut's spring is not written", where="torsion_bar")
-    return rig if rig.side == "left" else rig.mirrored()
+    allowed = "3-D corners: double-wishbone, mcpherson, five-link"
+    corner = corner_of(rig, "the rig is no suspension of Chrono", allowed)
+    require_parts(corner, what="a suspension of Chrono")
+    return corner if corner.side == "left" else corner.mirrored()
 
 
 def _plain(value: Any) -> Any:
@@ -395,8 +389,7 @@ def _ball(mass: float, centre: Array, radius: float) -> RigidBody:
 
 
 def _body(mass: float, centre: Array, tensor: Array) -> RigidBody:
-    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
-    inertia = {name: float(tensor[at]) for name, at in names.items()}
+    inertia = {name: float(tensor[at]) for name, at in INERTIA_ELEMENTS.items()}
     return RigidBody.model_validate({"mass": mass, "centre_of_mass": tuple(map(float, centre)), "inertia": inertia})
 
 

@@ -14,6 +14,7 @@ from jounce.core.errors import OutputError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, write_atomically
+from jounce.exchange.corners import corner_of, require_parts
 from jounce.mechanics import Mechanism
 from jounce.models.corner import suspension
 from jounce.parts import Rig
@@ -88,23 +89,15 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     (4, 2)
     """
     file = check_writable(path, what="models of MuJoCo", suffixes=(".xml",), force=force)
-    if not isinstance(rig, Corner):
-        raise OutputError(
-            "the rig is no mechanism in space",
-            where="rig",
-            found=getattr(rig, "model", type(rig).__name__),
-            allowed="3-D corners such as kart-double-wishbone",
-        )
-    rig.require("bodies", "spring", "damper", "tyre", what="a model of MuJoCo")
-    if "spring" in rig.without:
-        raise OutputError("a torsion bar in place of the strut's spring is not written", where="torsion_bar")
+    corner = corner_of(rig, "the rig is no mechanism in space")
+    require_parts(corner, "tyre", what="a model of MuJoCo")
     rack = rig.parameters().get("steering.rack_travel", 0.0)
     if rack:
         raise OutputError(
             "a rack that is moved at design", where="steering.rack_travel", found=f"{rack:g} m",
             allowed="0 m: MuJoCo takes lengths and joints as they are at design",
         )  # fmt: skip
-    writing = _MjcfWriter(rig)
+    writing = _MjcfWriter(corner)
     root = writing.root()
     ET.indent(root)
     write_atomically(file, ET.tostring(root, encoding="utf-8") + b"\n", force=force)

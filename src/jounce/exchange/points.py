@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from jounce.core.errors import OutputError
 from jounce.core.writing import Formats
+from jounce.exchange.corners import corner_of
 from jounce.parts import Rig
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner
@@ -61,18 +61,7 @@ def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path
     >>> file.read_text().splitlines()[0]
     'name,x [mm],y [mm],z [mm]'
     """
-    return POINT_FORMATS.write(_points(rig), path, force=force)
-
-
-def _points(rig: Rig) -> Corner:
-    if not isinstance(rig, Corner):
-        raise OutputError(
-            "the rig has no hardpoints",
-            where="rig",
-            found=getattr(rig, "model", type(rig).__name__),
-            allowed="3-D corners such as kart-double-wishbone",
-        )
-    return rig
+    return POINT_FORMATS.write(corner_of(rig, "the rig has no hardpoints"), path, force=force)
 
 
 def _table(rig: Corner, file: Path) -> None:

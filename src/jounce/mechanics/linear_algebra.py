@@ -53,8 +53,3 @@ class Ldl:
     def solve(self, rhs: ca.SX) -> ca.SX:
         """Return ``matrix^-1 rhs``."""
         return self.backward(self.scale(self.forward(rhs)))
-
-
-def ldl_solve(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
-    """Solve ``matrix @ x = rhs`` for a symmetric positive definite matrix; a diagonal one costs a division a row."""
-    return Ldl(matrix).solve(rhs)

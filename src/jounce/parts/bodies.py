@@ -65,6 +65,9 @@ def distance_to_line(point: Triple | Array, one: Triple | Array, other: Triple |
 TRIANGLE_TOLERANCE = 1e-3
 """Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""
 
+INERTIA_ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+"""Names of the elements of a tensor in descriptions: row and column."""
+
 
 class Inertia(Description):
     """Inertia tensor about the centre of mass in design axes, kg m^2; ``xy`` is ``-integral(x y dm)`` and so on."""

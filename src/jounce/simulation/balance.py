@@ -14,7 +14,6 @@ from jounce.simulation.statics import Equilibrium, find_equilibrium
 _ITERATIONS = 30
 _HALVINGS = 6  # of a step that leads to commands without equilibrium
 _BALANCED, _LEAST = 1e-9, 1e-6  # of the element's force, and N: rounding of a balance of forces
-_CHANGE = 1e-3  # of its own load: largest force at rest of an element that returns changes from rest
 
 
 def balanced_commands(

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics import System
-from jounce.mechanics.linear_algebra import ldl_solve
+from jounce.mechanics.linear_algebra import Ldl
 
 
 def evaluated(model, expression, x, u=(), p=(), m=()):
@@ -154,12 +154,12 @@ def test_solver_inside_the_graph(size, seed):
     root = generator.normal(size=(size, size))
     matrix, rhs = root @ root.T + size * np.eye(size), generator.normal(size=(size, 2))
     symbol = ca.SX.sym("A", size, size)
-    solve = ca.Function("solve", [symbol], [ldl_solve(symbol, ca.SX(rhs))])
+    solve = ca.Function("solve", [symbol], [Ldl(symbol).solve(ca.SX(rhs))])
     np.testing.assert_allclose(solve(matrix).full(), np.linalg.solve(matrix, rhs), rtol=1e-9, atol=1e-12)
 
 
 def test_solver_keeps_zeros():
     """A diagonal mass matrix costs a division a row, no more."""
     diagonal = ca.SX.sym("d", 5)
-    solve = ca.Function("solve", [diagonal], [ldl_solve(ca.diag(diagonal), ca.SX.ones(5, 1))])
+    solve = ca.Function("solve", [diagonal], [Ldl(ca.diag(diagonal)).solve(ca.SX.ones(5, 1))])
     assert solve.n_nodes() <= 3 * 5 + 1

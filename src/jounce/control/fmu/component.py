@@ -20,6 +20,7 @@ from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, finding
+from jounce.core.markup import parse_xml
 from jounce.core.serialise import Plain
 from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
@@ -294,16 +295,9 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
     return found
 
 
-class _Builder(ET.TreeBuilder):
-    """A tree of what has no document type: entities that grow beyond all memory are declared there."""
-
-    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
-        raise ET.ParseError("a document type")
-
-
 def _parsed(text: bytes, where: str) -> ET.Element:
     try:
-        return ET.fromstring(text, ET.XMLParser(target=_Builder()))
+        return parse_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(f"its modelDescription.xml is not XML of an FMU: {error}", where=where) from None
 

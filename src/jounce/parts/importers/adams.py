@@ -15,6 +15,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of
 from jounce.core.findings import Finding, finding
+from jounce.core.markup import parse_xml
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -515,16 +516,9 @@ def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], floa
     return table | {"damping": [value * force * time / length for value in given]}, worst
 
 
-class _Plain(ET.TreeBuilder):
-    """A tree of what has no document type."""
-
-    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
-        raise ET.ParseError("a document type")
-
-
 def _xml_spring(file: Path) -> tuple[float, Array, Array]:
     try:
-        root = ET.fromstring(content_of(file), ET.XMLParser(target=_Plain()))
+        root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(f"not XML of a spring: {error}", where=str(file)) from None
     units = {

@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
+from jounce.parts.bodies import INERTIA_ELEMENTS
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
@@ -38,9 +39,8 @@ class Draft:
 
 def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
     """Table of a body in the names of rig files."""
-    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
     size = float(np.abs(tensor).max())
-    inertia = {name: float(tensor[at]) for name, at in names.items() if abs(tensor[at]) > 1e-9 * size}
+    inertia = {name: float(tensor[at]) for name, at in INERTIA_ELEMENTS.items() if abs(tensor[at]) > 1e-9 * size}
     return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
 
 
@@ -58,7 +58,7 @@ def joined(one: dict[str, Any], mass: float, centre: Array, tensor: Array) -> di
 
 def tensor_of(table: dict[str, Any]) -> Array:
     """Inertia tensor of a body's table, shape (3, 3), kg m^2."""
-    xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in INERTIA_ELEMENTS)
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 

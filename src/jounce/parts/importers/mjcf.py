@@ -15,6 +15,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, finding
+from jounce.core.markup import parse_xml
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -545,14 +546,8 @@ def _moved(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
 
 
 def _parsed(file: Path) -> ET.Element:
-    class WithoutDoctype(ET.TreeBuilder):
-        """A tree of what has no document type."""
-
-        def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
-            raise ET.ParseError("a document type")
-
     try:
-        root = ET.fromstring(content_of(file), ET.XMLParser(target=WithoutDoctype()))
+        root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError, RecursionError) as error:
         raise DescriptionError(f"not XML: {error}", where=str(file), allowed="MJCF") from None
     if root.tag != "mujoco":
