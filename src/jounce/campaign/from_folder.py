@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import tomllib
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,7 +14,7 @@ from typing import Any, Literal
 
 import tomlkit
 
-from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials
+from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials, unread_headings
 from jounce.campaign.recogniser import RecognisedFile, recognise
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import Finding, finding
@@ -30,6 +31,8 @@ _FITTED = 3
 _START_DAMPING = "150 N*s/m"
 """Where the search for the damper begins: its bounds reach from 0.2 to 3 times this."""
 _DAMPING_BOUNDS = ["30 N*s/m", "450 N*s/m"]
+_SAME_PRESSURE = 0.02
+"""Share by which a pressure in a file's name may differ from the table's and still be the same."""
 _AGREES = 0.03
 """Share by which a calibration may differ from the sensitivity on a sensor's label without being asked about."""
 
@@ -180,7 +183,13 @@ class _Maker:
                 allowed="one CSV or XLSX with columns trial, speed, angle, pressure, profile",
                 hint='Name it in the settings: trials = "table.csv".',
             )
-        return read_trials(tables[0])
+        rows, unread = read_trials(tables[0]), unread_headings(tables[0])
+        if unread:
+            self._note("campaign.columns_not_read", tables[0].name, columns=", ".join(unread))
+        for row in rows:
+            if row.taken_for_one:
+                self._note("campaign.profile_taken_for_one", f"trial {row.number}", profile=row.taken_for_one)
+        return rows
 
     # the campaign -----------------------------------------------------------------------------------------------------
 
@@ -211,8 +220,7 @@ class _Maker:
         return tomlkit.dumps(document)
 
     def rig(self) -> str:
-        angle = next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
-        return quarter_car_text(self.raw["sprung_mass"], self.raw["unsprung_mass"], angle)
+        return quarter_car_text(self.raw["sprung_mass"], self.raw["unsprung_mass"], self._angle())
 
     def _relative(self, file: Path) -> str:
         return Path(os.path.relpath(file, self.folder)).as_posix()
@@ -258,7 +266,7 @@ class _Maker:
 
     def _bench(self) -> dict[str, Any]:
         bench: dict[str, Any] = {}
-        springs, decays = self._of("spring"), self._of("decay")
+        springs, decays = self._of("spring"), self._decays()
         if springs:
             bench["spring"] = self._tests(springs)
         else:
@@ -268,7 +276,7 @@ class _Maker:
             if item.pressure is None:
                 self._note("campaign.tyre_without_pressure", item.file.name)
             else:
-                tyres.setdefault(item.pressure, []).append(item)
+                tyres.setdefault(self._as_listed(item.pressure), []).append(item)
         if tyres:
             bench["tyre"] = {
                 f"{1e-6 * pressure:g} MPa": self._tests(items)
@@ -283,7 +291,31 @@ class _Maker:
             channel = next(iter(columns), None)
             if channel is not None and channel != "sprung.z":
                 bench["decay"]["channel"] = channel
+            bench["decay"] |= _clock(decays[0])
         return bench
+
+    def _as_listed(self, pressure: float) -> float:
+        """The pressure of the table (Pa) that a file's name rounds, as 45 psi does 0.31 MPa; else its own."""
+        listed = {row.pressure for row in self.rows.values() if row.pressure is not None}
+        near = [value for value in listed if abs(pressure / value - 1.0) <= _SAME_PRESSURE]
+        return min(near, key=lambda value: abs(value - pressure), default=pressure)
+
+    def _decays(self) -> list[RecognisedFile]:
+        """Decays at the rig's angle: where every name has an angle of the table, those at others are left out."""
+        decays = self._of("decay")
+        angles = {round(math.degrees(row.angle)) for row in self.rows.values() if row.angle is not None}
+        at = [angles & {int(text) for text in re.findall(r"\d+", item.file.stem)} for item in decays]
+        if len(angles) < 2 or not all(len(named) == 1 for named in at):
+            return decays
+        usual = round(math.degrees(self._angle()))
+        for item, (angle,) in zip(decays, at, strict=True):
+            if angle != usual:
+                self._note("campaign.decay_at_another_angle", item.file.name, angle=angle, usual=usual)
+        return [item for item, named in zip(decays, at, strict=True) if usual in named] or decays
+
+    def _angle(self) -> float:
+        """The rig's strut angle: that of the first trial, rad."""
+        return next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
 
     def _tests(self, items: Sequence[RecognisedFile]) -> dict[str, Any]:
         table: dict[str, Any] = {"files": [self._relative(item.file) for item in items]}
@@ -318,7 +350,7 @@ class _Maker:
             if (
                 item.pressure is not None
                 and row.pressure is not None
-                and abs(item.pressure / row.pressure - 1.0) > 0.02
+                and abs(item.pressure / row.pressure - 1.0) > _SAME_PRESSURE
             ):
                 numbers = {"named": item.pressure, "listed": row.pressure, "number": number}
                 self._note("campaign.name_and_table_differ", item.file.name, item.pressure, **numbers)
@@ -335,6 +367,7 @@ class _Maker:
             yield table | {
                 "road": _road(row),
                 "recording": self._relative(item.file),
+                **_clock(item),
                 "use": "fit" if number in fitted else "hold-out",
             }
         for item in self._of("trial"):
@@ -342,9 +375,14 @@ class _Maker:
                 self._note("campaign.no_number", item.file.name)
             elif item.number not in self.rows:
                 self._note("campaign.not_in_table", item.file.name, number=item.number)
+            elif records[item.number] is not item:
+                self._note(
+                    "campaign.another_record", item.file.name, number=item.number, used=records[item.number].file.name
+                )
 
     def _records(self) -> Mapping[int, RecognisedFile]:
-        return {item.number: item for item in self._of("trial") if item.number is not None}
+        """The record of each number; of several the first by name."""
+        return {item.number: item for item in reversed(self._of("trial")) if item.number is not None}
 
     def _fitted(self) -> set[int]:
         """Trials of a single obstacle at the setting that most have: the slowest, a middle one and the fastest."""
@@ -417,6 +455,13 @@ def _tables(rows: Iterator[dict[str, Any]]) -> tomlkit.items.AoT:
     for row in rows:
         tables.append(tomlkit.item(row))
     return tables
+
+
+def _clock(item: RecognisedFile) -> dict[str, Any]:
+    """What readers must be told of a file's time."""
+    if item.sample_time is not None:
+        return {"sample_time": f"{item.sample_time:.6g} s"}
+    return {"columns": {"time": item.time}} if item.time else {}
 
 
 def _road(row: TrialRow) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -12,9 +13,11 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from jounce.campaign.belt import Belt
+from jounce.core.columns import name_and_unit, text_of
 from jounce.core.description import Description, Whole, misplaced, read_description
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.units import Mass, PositiveHeight, PositiveLength, Unit, to_si
+from jounce.core.files import reading
+from jounce.core.units import Mass, PositiveHeight, PositiveLength, PositiveTime, Unit, is_unit_of, to_si
 from jounce.recordings.conditioning import sensitivity_of
 from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.sensors import Sensor
@@ -64,6 +67,8 @@ class Laboratory(Description):
         A rig instead of the quarter car made of these numbers: a file or a name of the library.
     title : str
         Title of the report.
+    sample_time : float
+        Step of the samples of files without a time, s, where their headers do not say it.
     """
 
     schema_: Literal["jounce.laboratory/1"] = Field(default="jounce.laboratory/1", alias="schema")
@@ -76,6 +81,7 @@ class Laboratory(Description):
     trials: str = ""
     rig: str = ""
     synthetic: str = ""
+    sample_time: PositiveTime | None = None
 
     @model_validator(mode="after")
     def _complete(self) -> Laboratory:
@@ -111,26 +117,37 @@ class TrialRow(Description):
     pressure: Annotated[float, Unit("Pa", above=0.0)] | None = None
     count: Whole = 1
     pitch: PositiveLength | None = None
+    taken_for_one: str = ""
+    """What the table calls the profile, where that was not understood."""
 
 
-_HEADINGS: dict[str, tuple[str, tuple[str, ...]]] = {
-    "number": ("", ("trial", "number", "no", "nr", "n", "test", "run", "ensaio", "versuch", "nummer")),
-    "speed": ("m/s", ("speed", "velocity", "v", "velocidade", "geschwindigkeit")),
-    "angle": ("deg", ("angle", "strut angle", "θ", "ângulo", "angulo", "winkel")),
-    "pressure": ("MPa", ("pressure", "p", "tyre pressure", "tire pressure", "pressão", "pressao", "druck")),
-    "profile": ("", ("profile", "obstacle", "obstacles", "road", "perfil", "hindernis", "hindernisse")),
-    "pitch": ("m", ("pitch", "spacing", "x", "distance", "espaçamento", "abstand")),
-}
-"""Usual unit of a column without one, and the words that head it."""
+_HEADINGS: dict[str, tuple[str, str, tuple[str, ...]]] = {
+    "speed": ("m/s", "v", ("speed", "velocity", "velocid", "velocita", "geschwindigkeit", "vitesse", "predkosc")),
+    "angle": ("deg", "θ", ("angle", "angulo", "angolo", "winkel", "kat")),
+    "pressure": ("MPa", "p", ("pressure", "pressao", "presion", "pression", "druck", "cisnienie")),
+    "pitch": ("m", "x", ("pitch", "spacing", "distan", "espacamento", "separacion", "abstand", "odstep")),
+    "profile": ("", "", ("profil", "perfil", "obstac", "hindernis", "ostacol", "przeszkod", "road")),
+    "number": ("", "n", ("trial", "number", "no", "nr", "test", "run", "ensaio", "ensayo", "prueba", "versuch",
+                         "nummer", "numer", "proba", "essai", "prova")),
+}  # fmt: skip
+"""Usual unit of a column without one, its symbol, and the words that head it, without accents.
+
+A heading is what the first of these says that it names: "trial speed" is a speed, "obstacle spacing" a pitch.
+"""
+_PART_OF_A_WORD = 5
+"""Letters from which a word counts inside another, as in Reifendruck; a shorter one stands alone."""
 _TRAIN = 5
 """Obstacles of the paper's profile B."""
+_TRAINS = r"\s*(B|train|five|5|series?|reihe|seria|trem|tren)\b"
+_SINGLE = r"\s*(A|1|one|single\b.*)?\s*"
 
 
 def read_trials(path: Path | str) -> list[TrialRow]:
     r"""Read a table of trials (CSV or XLSX): a blank cell has the value above it, as in the paper's Table 2.
 
-    Columns are found by their words: trial, speed, angle, pressure, profile (``A``: one obstacle, ``B``: five) and
-    pitch; a profile may say its pitch, ``"B 0.10 m"``.
+    Columns are found by the words of their headings: trial, speed, angle, pressure, profile (``A``: one obstacle,
+    ``B``: five) and pitch, also in German, Spanish, Portuguese, French, Italian and Polish; a profile may say its
+    pitch, ``"B (x = 0.10 m)"``. Units stand in the headings or in a row of their own below them.
 
     Raises
     ------
@@ -147,17 +164,11 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     [(1, 1.95, 1, None), (2, 2.86, 1, None), (4, 1.97, 5, 0.1)]
     """
     file = Path(path)
-    rows = _cells(file)
-    head = next((i for i, row in enumerate(rows) if {"number", "speed"} <= _headed(row).keys()), None)
-    if head is None:
-        found = ", ".join(str(cell) for cell in rows[0]) if rows else "nothing"
-        raise RecordingError(
-            "no table of trials: columns for the number and the speed are not named",
-            where=str(file),
-            found=found,
-            allowed="trial, speed [m/s], angle [deg], pressure [MPa], profile, pitch [m]",
-        )
+    rows, head = _table_of(file)
     places = _headed(rows[head])
+    if head + 1 < len(rows) and _are_units(rows[head + 1], places):
+        head += 1
+        places = {name: (i, rows[head][i].strip() or unit) for name, (i, unit) in places.items()}
     last: dict[str, str] = {}
     trials = []
     for line, row in enumerate(rows[head + 1 :], head + 2):
@@ -175,33 +186,93 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     return trials
 
 
+def unread_headings(path: Path | str) -> list[str]:
+    """Headings of a table of trials that name nothing that jounce reads from it."""
+    rows, head = _table_of(Path(path))
+    read = {i for i, _ in _headed(rows[head]).values()}
+    return [cell.strip() for i, cell in enumerate(rows[head]) if cell.strip() and i not in read]
+
+
+def is_table_of_trials(path: Path | str) -> bool:
+    """Whether a file has headings for the number and the speed of trials."""
+    try:
+        _table_of(Path(path))
+    except RecordingError:
+        return False
+    return True
+
+
+def _table_of(file: Path) -> tuple[list[list[str]], int]:
+    """Cells of a table of trials, and the row of its headings."""
+    rows = _cells(file)
+    head = next((i for i, row in enumerate(rows) if {"number", "speed"} <= _headed(row).keys()), None)
+    if head is None:
+        raise RecordingError(
+            "no table of trials: columns for the number and the speed are not named",
+            where=str(file),
+            found=", ".join(cell for cell in max(rows, key=_filled) if cell) if rows else "nothing",
+            allowed="trial, speed [m/s], angle [deg], pressure [MPa], profile, pitch [m]",
+        )
+    return rows, head
+
+
+def _filled(row: Sequence[str]) -> int:
+    return sum(bool(cell.strip()) for cell in row)
+
+
 def _cells(file: Path) -> list[list[str]]:
-    """Cells of a text file or of the first sheet of a workbook, as texts."""
+    """Cells of a text file or of the first sheet of a workbook, as texts with decimal points."""
     if file.suffix.lower() == ".xlsx":
         from jounce.core.optional import require
 
-        book = require("openpyxl", "io").load_workbook(file, read_only=True, data_only=True)
-        sheet = book.worksheets[0]
-        return [["" if cell is None else str(cell) for cell in row] for row in sheet.iter_rows(values_only=True)]
-    text = file.read_text(encoding="utf-8-sig")
-    first = text.partition("\n")[0]
-    separator = max(";\t,", key=first.count)
-    rows = list(csv.reader(io.StringIO(text), delimiter=separator))
-    if separator != ",":
-        rows = [[re.sub(r"^(\s*[+-]?\d+),(\d+\s*)$", r"\1.\2", cell) for cell in row] for row in rows]
-    return rows
+        with reading(file, RecordingError):
+            book = require("openpyxl", "io").load_workbook(file, read_only=True, data_only=True)
+            sheet = book.worksheets[0]
+            cells = [["" if cell is None else str(cell) for cell in row] for row in sheet.iter_rows(values_only=True)]
+    else:
+        text = text_of(file)
+        separator = max(";\t,", key=lambda mark: max(line.count(mark) for line in text.splitlines() or [""]))
+        cells = list(csv.reader(io.StringIO(text), delimiter=separator))
+    return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
+
+
+def _are_units(row: Sequence[str], places: dict[str, tuple[int, str]]) -> bool:
+    """Whether a row below the headings has their units."""
+    place = places["speed"][0]
+    return place < len(row) and is_unit_of(row[place], "m/s")
 
 
 def _headed(row: Sequence[str]) -> dict[str, tuple[int, str]]:
-    """Column and unit of each heading of a row that names some."""
-    found: dict[str, tuple[int, str]] = {}
+    """Column and unit of each heading of a row that names some; a symbol alone is a heading, too."""
+    headings: dict[str, tuple[int, str]] = {}
     for i, cell in enumerate(row):
-        match = re.fullmatch(r"\s*([^\[(]*?)\s*(?:[\[(]\s*([^\])]+?)\s*[\])])?\s*\.?\s*", cell)
-        words = match[1].casefold().strip(" .:#") if match else ""
-        for name, (unit, known) in _HEADINGS.items():
-            if words in known and name not in found and match is not None:
-                found[name] = i, match[2] or unit
-    return found
+        text, unit = name_and_unit(cell)
+        name = _heading(text)
+        if name and name not in headings:
+            headings[name] = i, unit or _HEADINGS[name][0]
+    return headings
+
+
+def _heading(text: str) -> str | None:
+    """What a heading names, by its symbol or the words in it."""
+    plain = without_accents(text)
+    words = re.findall(r"[^\W\d_]+", plain)
+    for name, (_, symbol, known) in _HEADINGS.items():
+        if words == [symbol] or any(
+            word == part or (len(part) >= _PART_OF_A_WORD and part in word) for word in words for part in known
+        ):
+            return name
+    return None
+
+
+def without_accents(text: str) -> str:
+    """Lower-case text of the letters without their accents, to compare what different keyboards write.
+
+    >>> without_accents("Prędkość, Ângulo, koło")
+    'predkosc, angulo, kolo'
+    """
+    folded = unicodedata.normalize("NFKD", text.casefold()).translate({ord("ł"): "l", ord("ø"): "o"})
+    return "".join(letter for letter in folded if not unicodedata.combining(letter))
 
 
 def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow:
@@ -209,14 +280,15 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
     for name, si in (("speed", "m/s"), ("angle", "rad"), ("pressure", "Pa"), ("pitch", "m")):
         if name in cells and cells[name] not in ("-", "–"):
             values[name] = _size(cells[name], units[name], si, f"{where}: {name}")
-    try:
-        values["number"] = int(float(cells["number"]))
-    except ValueError:
-        raise RecordingError("not a number of a trial", where=where, found=cells["number"]) from None
+    number = re.fullmatch(r"\D*?(\d+)(?:\.0*)?\D*", cells["number"])
+    if number is None:
+        raise RecordingError("not a number of a trial", where=where, found=cells["number"])
+    values["number"] = int(number[1])
     profile = cells.get("profile", "A")
-    if re.match(r"\s*(B|train|five|5)\b", profile, re.IGNORECASE):
+    train = re.match(_TRAINS, profile, re.IGNORECASE)
+    if train:
         values["count"] = _TRAIN
-        inside = re.search(r"(\d*\.\d+|\d+)\s*(mm|cm|m)?\s*$", profile[1:])
+        inside = re.search(r"(\d*\.\d+|\d+)\s*(mm|cm|m)?\s*\)?\s*$", profile[train.end() :])
         if inside and "pitch" not in values:
             values["pitch"] = _size(f"{inside[1]} {inside[2] or 'm'}", "m", "m", where)
         if "pitch" not in values:
@@ -225,6 +297,8 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
             )
     else:
         values.pop("pitch", None)
+        if not re.fullmatch(_SINGLE, profile, re.IGNORECASE):
+            values["taken_for_one"] = profile
     return TrialRow.model_validate(values)
 
 

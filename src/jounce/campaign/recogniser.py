@@ -6,14 +6,15 @@ By its columns, their units and the shape of what they hold; names of files add 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from jounce.campaign.laboratory import Laboratory, read_trials
-from jounce.core.columns import ColumnTable
+from jounce.campaign.laboratory import Laboratory, is_table_of_trials, read_trials, without_accents
+from jounce.core.columns import Column, ColumnTable, names_time, text_of
 from jounce.core.errors import JounceError, RecordingError
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -28,9 +29,21 @@ _FEW_ROWS = 60
 _STIFF = 60e3
 """N/m: springs of small cars and karts are softer, tyres stiffer; bicycle springs lie about there, so it is said."""
 _WORDS: dict[Kind, tuple[str, ...]] = {
-    "spring": ("spring", "mola", "feder", "resorte", "molla", "ressort"),
-    "tyre": ("tyre", "tire", "pneu", "reifen", "neumatico", "gomma"),
+    "spring": ("spring", "mola", "feder", "resorte", "muelle", "molla", "ressort", "sprezyn"),
+    "tyre": ("tyre", "tire", "pneu", "reifen", "neumatico", "gomma", "opon"),
 }
+_WEIGHTS = {"kg": "kgf", "lb": "lbf", "lbs": "lbf"}
+"""Masses that stand for forces in a test with weights or scales."""
+_RATE = re.compile(
+    r"(?:sampl|rate|abtast|frequen|frecuen|muestreo|amostrag|czestotliw|\bfs\b)[^\d\n]{0,40}"
+    r"(\d+(?:[.,]\d+)?) *(k?)(?:Hz|S/s)",
+    re.IGNORECASE,
+)
+"""How headers of files without a time column say the rate of their samples."""
+_HEADER = 4000
+"""Characters at the beginning of a file in which its rate may stand."""
+_USUAL_RATES = (50.0, 200e3)
+"""Hz: what vibrations are recorded at; it tells seconds from milliseconds where a column of time has no unit."""
 _FALLS = 0.5
 """Share of the first quarter's motion that is left in the last one of a free decay, at most."""
 
@@ -55,6 +68,10 @@ class RecognisedFile(Shown):
         Pressure that its name says, Pa.
     doubt : str
         What else it could be; empty where nothing.
+    time : str
+        Its column of time with the unit, where readers must be given it: ``"t [s]"``.
+    sample_time : float or None
+        Step of the samples that its header says, s, where it has no time.
     """
 
     file: Path
@@ -64,6 +81,8 @@ class RecognisedFile(Shown):
     number: int | None = None
     pressure: float | None = None
     doubt: str = ""
+    time: str = ""
+    sample_time: float | None = None
 
 
 def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[RecognisedFile]:
@@ -92,7 +111,8 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
     files = sorted(file for file in place.iterdir() if file.is_file() and not file.name.startswith("."))
     if not files:
         raise RecordingError("the folder is empty", where=str(place))
-    return _numbered([recognised(file, settings) for file in files])
+    items = [recognised(file, settings) for file in files]
+    return _numbered(items, _numbers_of([item.file for item in items if item.kind == "table of trials"]))
 
 
 def recognised(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
@@ -117,10 +137,7 @@ def recognised(file: Path, settings: Laboratory | None = None) -> RecognisedFile
 def _is_table(file: Path) -> bool:
     if file.suffix.lower() not in (".csv", ".txt", ".tsv", ".xlsx") or file.stat().st_size > 100_000:
         return False
-    try:
-        return bool(read_trials(file))
-    except (JounceError, OSError, UnicodeDecodeError, ValueError):
-        return False
+    return is_table_of_trials(file)
 
 
 # columns --------------------------------------------------------------------------------------------------------------
@@ -128,30 +145,81 @@ def _is_table(file: Path) -> bool:
 
 def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> RecognisedFile:
     units = {column.label: _kind_of_unit(column.unit) for column in table}
-    time = next((column for column in table if column.name == "time" or units[column.label] == "s"), None)
     rows = len(table.columns[0].values) if len(table) else 0
     lengths = [column for column in table if units[column.label] == "m"]
-    forces = [column for column in table if units[column.label] == "N"]
+    forces = [column for column in table if units[column.label] == "N" or column.unit in _WEIGHTS]
+    time = _time(table)
     if time is None and lengths and forces:
-        return _force_deflection(file, table, lengths[0].label, forces[0].label)
+        return _force_deflection(file, lengths[0], forces[0])
     electrical = [column for column in table if units[column.label] in ("V", "A", "1")]
     others = [column for column in table if column is not time and column not in electrical]
     if time is None and rows <= _FEW_ROWS and electrical and others:
         why = f"{rows} rows of {others[0].label} and {electrical[0].label}, without time"
         return RecognisedFile(file, "calibration", why, {others[0].label: electrical[0].label})
-    if time is None:
-        return RecognisedFile(file, "unknown", f"columns {', '.join(column.label for column in table)}: no time")
+    seconds, spec, step = _clock(file, time, rows, settings)
+    if seconds is None:
+        return RecognisedFile(file, "unknown", _no_time(table, rows))
     signals = [column for column in table if column is not time and column.fault is None]
     if not signals:
         return RecognisedFile(file, "unknown", "time, and no other column of numbers")
-    pulses = [column for column in signals if _has_pulses(time.values, column.values)]
+    return replace(_of_signals(file, seconds, signals, settings), time=spec, sample_time=step)
+
+
+def _time(table: ColumnTable) -> Column | None:
+    """The column of time: of that name, in a unit of time, or called so in another language."""
+    plain = next((column for column in table if column.name == "time" or _kind_of_unit(column.unit) == "s"), None)
+    if plain is not None:
+        return plain
+    return next((c for c in table if names_time(c.name) and not c.unit and c.fault is None), None)
+
+
+def _clock(
+    file: Path, time: Column | None, rows: int, settings: Laboratory | None
+) -> tuple[Array | None, str, float | None]:
+    """Times of the samples (s), how a campaign names their column, and their step where only the header says it."""
+    if time is None:
+        step = _step_in_header(file) if rows > _FEW_ROWS else None
+        if step is None and rows > _FEW_ROWS and settings is not None:
+            step = settings.sample_time
+        return (None, "", None) if step is None else (np.arange(rows, dtype=np.float64) * step, "", step)
+    if time.unit or time.fault is not None or len(time.values) < 2:
+        return time.values * (conversion_factor(time.unit, "s") if time.unit else 1.0), "", None
+    step = float(np.median(np.diff(time.values)))
+    unit = next((u for u, s in (("s", 1.0), ("ms", 1e-3)) if step > 0.0 and _is_usual(1.0 / (s * step))), None)
+    if unit is None:
+        return None, "", None
+    return time.values * conversion_factor(unit, "s"), f"{time.label} [{unit}]", None
+
+
+def _is_usual(rate: float) -> bool:
+    return _USUAL_RATES[0] <= rate <= _USUAL_RATES[1]
+
+
+def _step_in_header(file: Path) -> float | None:
+    try:
+        stated = _RATE.search(without_accents(text_of(file)[:_HEADER]))
+    except RecordingError:
+        return None
+    return None if stated is None else 1.0 / (float(stated[1].replace(",", ".")) * (1e3 if stated[2] else 1.0))
+
+
+def _no_time(table: ColumnTable, rows: int) -> str:
+    columns = f"columns {', '.join(column.label for column in table)}: no time"
+    if rows <= _FEW_ROWS:
+        return f"{columns}, and no displacement and force; write units in the headings, as in displacement [mm]"
+    return f"{columns}; name a column time [s], or give sample_time in the settings"
+
+
+def _of_signals(file: Path, seconds: Array, signals: list[Column], settings: Laboratory | None) -> RecognisedFile:
+    """A trial or a free decay, by what its signals look like over time (s)."""
+    pulses = [column for column in signals if _has_pulses(seconds, column.values)]
     moving = [column for column in signals if column not in pulses]
     if moving and all(_falls(column.values) for column in moving):
         why = f"{', '.join(column.label for column in moving)} swings and falls"
         channel = _measured(moving[0].name, settings)
         known = {} if channel is None or channel == moving[0].name else {channel: moving[0].label}
         return RecognisedFile(file, "decay", why, known, doubt="" if not pulses else "a trial: it has pulses")
-    why = f"{len(moving)} signals over {_lasts(time.values, time.unit)}"
+    why = f"{len(moving)} signals over {seconds[-1] - seconds[0]:.3g} s"
     if pulses:
         why += f", and pulses in {', '.join(column.label for column in pulses)}"
     return RecognisedFile(file, "trial", why, {"pulses": pulses[0].label} if pulses else {})
@@ -164,16 +232,16 @@ def _kind_of_unit(unit: str) -> str:
     return "" if unit else "1"
 
 
-def _force_deflection(file: Path, table: ColumnTable, length: str, force: str) -> RecognisedFile:
-    x, f = (
-        table[label].values * conversion_factor(table[label].unit, si) for label, si in ((length, "m"), (force, "N"))
-    )
+def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFile:
+    weight = _WEIGHTS.get(force.unit, "")
+    x = length.values * conversion_factor(length.unit, "m")
+    f = force.values * conversion_factor(weight or force.unit, "N")
     rate = float(np.polyfit(x, f, 1)[0]) if np.ptp(x) > 0.0 else 0.0
     columns = {}
-    if table[length].name != "displacement":
-        columns["displacement"] = length
-    if table[force].name != "force":
-        columns["force"] = force
+    if length.name != "displacement":
+        columns["displacement"] = length.label
+    if force.name != "force" or weight:
+        columns["force"] = f"{_written(force)} [{weight}]" if weight else force.label
     named = _by_name(file.stem)
     by_rate: Kind = "tyre" if abs(rate) > _STIFF else "spring"
     pressure = _pressure(file.stem)
@@ -181,21 +249,27 @@ def _force_deflection(file: Path, table: ColumnTable, length: str, force: str) -
     doubt = "" if named in (None, by_rate) else f"a {by_rate} by its rate of {1e-3 * rate:.3g} N/mm"
     if named is None and 0.5 * _STIFF < abs(rate) < 2.0 * _STIFF:
         doubt = f"{'a spring' if by_rate == 'tyre' else 'a tyre'}: its rate of {1e-3 * rate:.3g} N/mm is between both"
-    how = f"force over displacement, {1e-3 * rate:.3g} N/mm" + (f", and its name says {named}" if named else "")
+    how = f"force over displacement, {1e-3 * rate:.3g} N/mm" + (f", {force.unit} read as {weight}" if weight else "")
+    how += f", and its name says {named}" if named else ""
     return RecognisedFile(file, kind, how, columns, pressure=pressure, doubt=doubt)
 
 
+def _written(column: Column) -> str:
+    """The heading as the file has it, unit and all."""
+    return column.written or column.label
+
+
 def _by_name(stem: str) -> Kind | None:
-    return next((kind for kind, words in _WORDS.items() if any(word in stem.casefold() for word in words)), None)
+    return next((kind for kind, words in _WORDS.items() if any(word in without_accents(stem) for word in words)), None)
 
 
 def _pressure(stem: str) -> float | None:
-    """Pressure (Pa) in a name such as ``tyre_031_2`` (0.31 MPa) or ``pneu_2.5bar``."""
-    with_unit = re.search(r"(\d+(?:[.,]\d+)?)\s*_?(MPa|bar|kPa)", stem, re.IGNORECASE)
+    """Pressure (Pa) in a name such as ``tyre_031_2`` (0.31 MPa), ``pneu_2.5bar`` or ``run07_45psi``."""
+    with_unit = re.search(r"(\d+(?:[.,]\d+)?)\s*_?(MPa|bar|kPa|psi)", stem, re.IGNORECASE)
     if with_unit:
-        unit = {"mpa": "MPa", "kpa": "kPa", "bar": "bar"}[with_unit[2].casefold()]
+        unit = {"mpa": "MPa", "kpa": "kPa", "bar": "bar", "psi": "psi"}[with_unit[2].casefold()]
         return float(with_unit[1].replace(",", ".")) * conversion_factor(unit, "Pa")
-    bare = re.search(r"(?<!\d)0(\d\d)(?!\d)", stem)
+    bare = re.search(r"(?<!\d)0([1-9]\d)(?!\d)", stem)
     return float(f"0.{bare[1]}") * 1e6 if bare else None
 
 
@@ -235,31 +309,37 @@ def _falls(values: Array) -> bool:
     )
 
 
-def _lasts(time: Array, unit: str) -> str:
-    return f"{float(time[-1] - time[0]) * (conversion_factor(unit, 's') if unit else 1.0):.3g} s"
-
-
 # numbers of trials ----------------------------------------------------------------------------------------------------
 
 
-def _numbered(files: list[RecognisedFile]) -> list[RecognisedFile]:
-    """Give trials the number in their names: the last whole number that differs in all of them."""
+def _numbers_of(tables: list[Path]) -> set[int]:
+    """Numbers in the table of trials, if there is one that can be read."""
+    try:
+        return {row.number for row in read_trials(tables[0])} if len(tables) == 1 else set()
+    except JounceError:
+        return set()
+
+
+def _numbered(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
+    """Give trials the number in their names: the place that has most numbers of the table, or most different ones.
+
+    Places count from either end of a name; of several alike the last in the name is taken.
+    """
     trials = [item for item in files if item.kind == "trial"]
-    numbers = [[int(text) for text in re.findall(r"\d+", item.file.stem)] for item in trials]
-    places = range(1, 1 + min((len(row) for row in numbers), default=0))
-    place = next((k for k in places if len({row[-k] for row in numbers}) == len(numbers)), None)
-    if place is None:
+    numbers = {item.file: [int(text) for text in re.findall(r"\d+", item.file.stem)] for item in trials}
+    longest = max(map(len, numbers.values()), default=0)
+
+    def different(place: int) -> int:
+        values = [row[place] for row in numbers.values() if -len(row) <= place < len(row)]
+        return len(set(values) & set(known) if known else set(values))
+
+    places = [*range(-1, -longest - 1, -1), *range(longest)]
+    place = max(places, key=different, default=None)
+    if place is None or (not known and different(place) < len(trials)):
         return files
-    by_file = {item.file: row[-place] for item, row in zip(trials, numbers, strict=True)}
-    return [
-        RecognisedFile(
-            item.file,
-            item.kind,
-            item.why,
-            item.columns,
-            by_file.get(item.file),
-            _pressure(item.file.stem) if item.kind == "trial" else item.pressure,
-            item.doubt,
-        )
-        for item in files
-    ]
+    return [_with_number(item, numbers[item.file], place) if item.file in numbers else item for item in files]
+
+
+def _with_number(item: RecognisedFile, numbers: list[int], place: int) -> RecognisedFile:
+    number = numbers[place] if -len(numbers) <= place < len(numbers) else None
+    return replace(item, number=number, pressure=_pressure(item.file.stem))

@@ -309,7 +309,12 @@ def text_of(file: Path) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return content.decode("cp1252", errors="replace")
+        western = content.decode("cp1252", errors="replace")
+        return content.decode("cp1250", errors="replace") if _SIGN_IN_A_WORD.search(western) else western
+
+
+_SIGN_IN_A_WORD = re.compile(r"[A-Za-z][¹³¿£¥ª¯][A-Za-z]")
+"""Signs of the Western code page inside a word: letters as Polish has in the Central European one (k¹t, ko³o)."""
 
 
 def _is_cut_off(rows: Sequence[str], separator: str) -> bool:
@@ -413,7 +418,7 @@ def _are_names(cells: list[str]) -> bool:
 
 
 _TIME_WORDS = re.compile(
-    r"(?:x?time|zeit|timestamp|temps|tiempo|tempo|tid|t)(?:[ _.:-]?\d.*|[ _.:-].+)?", re.IGNORECASE
+    r"(?:x?time|zeit|timestamp|temps|tiempo|tempo|czas|tid|tijd|t)(?:[ _.:-]?\d.*|[ _.:-].+)?", re.IGNORECASE
 )
 
 
@@ -443,11 +448,15 @@ _NO_UNIT = ("", "-", "#")
 
 
 def _is_plain_unit(cell: str) -> bool:
-    """Whether a cell is a unit; numbers as other languages write them (``1.5d+00``: days?) are none."""
+    """Whether a cell is a unit; no foreign number (``1.5d+00``: days?) is, nor ``ch1`` or ``V2``."""
+    if _NUMBERED_NAME.fullmatch(cell):
+        return False
     return is_unit(cell) and (cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell))
 
 
 _BEGINS_WITH_NUMBER = re.compile(r"[-+]?\d")
+_NUMBERED_NAME = re.compile(r"(?!(?:[cm]?m|in|ft|s)[23]$)[A-Za-z]+\d+")
+"""Names of channels that read as powers of units: chains, volts, ares; areas, volumes and s2 are units."""
 
 
 def _separator(header: str) -> str:

@@ -46,6 +46,7 @@ _AS_WRITTEN = str.maketrans({
 _WORDS = {
     "Nm": "N*m", "kNm": "kN*m", "Nmm": "N*mm", "Ns": "N*s", "kNs": "kN*s", "Nms": "N*m*s", "kp": "kgf", "kmh": "km/h",
     "kmph": "km/h", "ips": "in/s", "fps": "ft/s", "Sek": "s", "sek": "s", "Grad": "deg", "grad": "deg",
+    "Mpa": "MPa", "Kpa": "kPa", "KPa": "kPa", "Bar": "bar", "PSI": "psi", "Kg": "kg", "KG": "kg",
 }  # fmt: skip
 """Units of test benches that pint does not know, or takes for another unit (Nm: a textile number)."""
 _WHOLE = {"U/min": "rpm", "1/min": "rpm", "min^-1": "rpm", "lb-ft": "lbf*ft", "ft-lb": "lbf*ft", "ft-lbs": "lbf*ft",
