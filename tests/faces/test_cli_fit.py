@@ -6,8 +6,12 @@ import math
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import jounce as jn
+from jounce.operations.index import operations
+from jounce.operations.request import Request
 from jounce.parts import load
 
 ESTIMATE = {"value", "standard_error", "interval"}
@@ -439,3 +443,46 @@ def test_calibrations_that_tell_nothing(
     assert outcome.exit_code == 2
     assert message in outcome.err
     assert outcome.json["error"]["message"] in outcome.err
+
+
+@pytest.fixture
+def poses(tmp_path: Path) -> str:
+    travel = np.linspace(-0.03, 0.03, 13)
+    rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})  # synthetic: a truth
+    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.random.default_rng(1).normal(0.0, 0.01, 13)
+    rows = [f"{1e3 * at:.1f},{angle:.4f}" for at, angle in zip(travel, toe, strict=True)]
+    (tmp_path / "poses.csv").write_text("\n".join(["wheel_travel [mm],toe [deg]", *rows, ""]), encoding="utf-8")
+    return "poses.csv"
+
+
+def test_hardpoints_are_the_same_by_command_job_and_python(cli, poses: str) -> None:
+    free = {"hardpoints.tie_rod_inner[2]": "10 mm"}
+    words = ("fit", "hardpoints", "formula-student-front", poses, "--free", "hardpoints.tie_rod_inner[2]=10 mm")
+    found = cli(*words, "--starts", 1, "--out", "updated.toml", "--figure", "toe.svg", "--json").json
+    low, high = found["numbers"]["hardpoints.tie_rod_inner[2]"]["interval"]
+    assert low < 0.151 < high
+    updated = jn.load("updated.toml").parameters()["hardpoints.tie_rod_inner[2]"]
+    assert updated == pytest.approx(found["numbers"]["hardpoints.tie_rod_inner[2]"]["value"])
+    request = Request(
+        operations()["fit hardpoints"], {"rig": "formula-student-front", "measured": poses, "free": free, "starts": 1}
+    )
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    assert names["result"].to_dict()["numbers"] == found["numbers"]
+    assert request.words()[2:4] == ["formula-student-front", poses]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--offset", "camber"), "--offset: unknown measured quantity 'camber'; allowed: toe"),
+        (("--starts", "0"), "--starts: not a number of searches; found 0"),
+        (("--noise", "toe=1mm"), "noise: toe: wrong unit"),
+        (("--out", "rig.csv"), "rig.csv"),
+    ],
+)
+def test_bad_choices_for_hardpoints(words: tuple[str, ...], message: str, cli, poses: str) -> None:
+    free = ("--free", "hardpoints.tie_rod_inner[2]=10 mm")
+    outcome = cli("fit", "hardpoints", "formula-student-front", poses, *free, *words)
+    assert outcome.exit_code == 2
+    assert message in outcome.err

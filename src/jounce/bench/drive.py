@@ -515,7 +515,7 @@ class BeltSpeeds(Plain):
     "bench speed",
     faces={"radius_error": "0 mm"},
     python_only=("motor_power", "efficiency", "standstill_torque"),
-    has_argument=False,
+    arguments=0,
     page="jounce.report.bench:belt_speed_page",
     title="Belt speed",
     example='jounce bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
@@ -629,7 +629,7 @@ class DriveAssessment(Plain):
 @operation(
     "bench drive",
     python_only=("belt_length",),
-    has_argument=False,
+    arguments=0,
     page="jounce.report.bench:drive_page",
     title="Drive",
     example='jounce bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',

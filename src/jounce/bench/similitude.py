@@ -128,7 +128,7 @@ class SimilitudeReport(Plain):
 
 @operation(
     "bench scale",
-    has_argument=False,
+    arguments=0,
     page="jounce.report.bench:similitude_page",
     title="Prototype",
     example='jounce bench scale --prototype-mass "18.6 kg"',

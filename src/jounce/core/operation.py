@@ -239,7 +239,7 @@ class Registration:
     named: Mapping[str, str] = field(default_factory=dict)
     faces: Mapping[str, Any] = field(default_factory=dict)
     python_only: tuple[str, ...] = ()
-    has_argument: bool = True
+    arguments: int = 1
     echo: Mapping[str, str | tuple[str, ...]] = field(default_factory=dict)
     offers: tuple[Offer, ...] = ()
     names_files: bool = True
@@ -266,8 +266,8 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         Words of its command, such as ``"design pareto"``.
     **more
         ``named``: parameters whose option has another name. ``faces``: defaults of options that differ from those of
-        the function. ``python_only``: parameters without an option. ``has_argument``: whether the command takes its
-        first parameter without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
+        the function. ``python_only``: parameters without an option. ``arguments``: how many of its first parameters a
+        command takes without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
         ``offers``: what the result can be written as; ``names_files``: whether ``--json`` names these files.
         ``check``: ``module:function`` that refuses options before the work; it takes all of them, by name, as given.
         ``python``: ``module:function`` that Python is offered instead, where it gives another form of the result.

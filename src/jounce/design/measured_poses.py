@@ -14,8 +14,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
+from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Count, File, Pairs, Texts, operation
 from jounce.core.results import Shows, own_unit
 from jounce.core.samples import as_samples
 from jounce.core.seeds import check_seed
@@ -27,7 +29,7 @@ from jounce.design.kinematic_study import FreePoint
 from jounce.identify.estimate import Estimate, correlation_time, estimate
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import require_parts
-from jounce.kinematics.model import check_corner, has_rack
+from jounce.kinematics.model import check_corner, has_rack, kinematic_model
 from jounce.kinematics.sweeps import path_sweep, path_values
 from jounce.kinematics.tangents import Tangents
 from jounce.parts import Corner, Rig, as_rig
@@ -99,26 +101,51 @@ class HardpointFit(Plain):
     left_out = ("rig",)
 
 
+@operation(
+    "fit hardpoints",
+    named={"offsets": "offset"},
+    faces={"offset": None},
+    python_only=("seed",),
+    arguments=2,
+    echo={"rig": "rig"},
+    offers=("changed_rig", "figure"),
+    page="jounce.report.fits:hardpoints_page",
+    title="{rig} against {measured}",
+    doing="searching",
+    example="jounce fit hardpoints formula-student-front poses.csv "
+    '--free hardpoints.tie_rod_inner="10 mm" --offset toe',
+)
 def fit_hardpoints(
-    rig: Rig | str | Path,
-    measured: xr.Dataset | Mapping[str, Any],
-    free: Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
+    rig: Annotated[Rig | str | Path, File("A corner with hardpoints: name or file.", "RIG", ("parts",))],
+    measured: Annotated[
+        xr.Dataset | Mapping[str, Any] | str | Path,
+        File("Columns wheel_travel [mm], rack_travel [mm], toe [deg], camber [deg] ...", "POSES.csv"),
+    ],
+    free: Annotated[
+        Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
+        Pairs(
+            'hardpoints.tie_rod_inner="15 mm". Repeat it.', "POINT=WITHIN", example='hardpoints.tie_rod_inner="15 mm"'
+        ),
+    ],
     *,
-    noise: Mapping[str, float | str] | None = None,
-    offsets: Sequence[str] = (),
-    starts: int = 3,
+    noise: Annotated[
+        Mapping[str, float | str] | None,
+        Pairs('Standard deviation: toe="0.02 deg". Repeat it.', "QUANTITY=SIZE", example='toe="0.02 deg"'),
+    ] = None,
+    offsets: Annotated[Sequence[str], Texts("A quantity whose zero is not known. Repeat it.", "QUANTITY")] = (),
+    starts: Annotated[int, Count("Number of searches; the first starts from the rig.", least=1)] = 3,
     seed: int = 0,
 ) -> HardpointFit:
-    """Update hardpoints until the model gives measured poses, with intervals.
+    """Update hardpoints until the model gives a table of measured poses, with 95 % intervals.
 
     Parameters
     ----------
     rig : Rig, str or Path
         A corner with hardpoints as it is known, or the name or file of one.
-    measured : xarray.Dataset or mapping of str to array_like, shape (n,)
-        ``wheel_travel`` (m, bump positive), ``rack_travel`` (m, positive to the left; 0 where it is missing), and rows
-        of the catalogue against the body, pose by pose, SI: ``toe`` (rad), ``camber`` (rad), ``wheel_centre_x`` (m),
-        ``spring_length`` (m) and so on. NaN is no reading.
+    measured : xarray.Dataset, mapping of str to array_like, shape (n,), str or Path
+        A file of columns with their units, or ``wheel_travel`` (m, bump positive), ``rack_travel`` (m, positive to the
+        left; 0 where it is missing), and rows of the catalogue against the body, pose by pose, SI: ``toe`` (rad),
+        ``camber`` (rad), ``wheel_centre_x`` (m), ``spring_length`` (m) and so on. NaN is no reading.
     free : sequence of FreePoint or mapping
         What may move, with the keys of ``[[free]]`` of a design study (m), or paths to ``within``.
     noise : mapping of str to float or str, optional
@@ -158,6 +185,8 @@ def fit_hardpoints(
     from scipy.optimize import least_squares
 
     corner = check_corner(as_rig(rig))
+    if isinstance(measured, str | Path):
+        measured = _read_poses(Path(measured), corner)
     listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
     points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]
     numbering = Numbering.of({"": corner})
@@ -200,6 +229,17 @@ def fit_hardpoints(
     best = ended[int(np.argmin(costs))][1]
     agreed = int(np.sum([np.max(np.abs(x - best) / table.scale) < 1e-3 for _, x in ended]))
     return _describe_fit(table, best, given, before, starts, agreed)
+
+
+def _read_poses(file: Path, corner: Corner) -> dict[str, Array]:
+    """Read a table of measured poses, SI."""
+    units = {row.name: row.unit for row in kinematic_model(corner).rows} | dict.fromkeys(_AXES, "m")
+    table = read_columns_csv(file)
+    for name in table.names:
+        if name not in units:
+            require_parts(corner, name)
+            raise unknown(name, units, what="quantity", where=str(file))
+    return {name: table[name].in_si(units[name]) for name in table.names}
 
 
 def _begins(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:

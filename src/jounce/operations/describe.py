@@ -35,6 +35,7 @@ MODULES = (
     "jounce.campaign.test_sheet",
     "jounce.design.adjustment",
     "jounce.design.studied",
+    "jounce.design.measured_poses",
     "jounce.design.best_design",
     "jounce.design.model_comparison",
     "jounce.design.pareto",
@@ -68,12 +69,13 @@ def described() -> list[dict[str, Any]]:
 def _operation(registration: Registration) -> Operation:
     function = registration.function
     makers = {name: mark for name, mark in _marks(function).items() if isinstance(mark, MadeBy)}
-    first, *others = _parameters(function, registration)
+    parameters = [*_parameters(function, registration)]
+    arguments = [replace(parameter, is_positional=True) for parameter in parameters[: registration.arguments]]
     return Operation(
         registration.command,
         f"{function.__module__}:{function.__name__}",
         (inspect.getdoc(function) or "").partition("\n")[0],
-        (replace(first, is_positional=registration.has_argument), *others),
+        (*arguments, *parameters[registration.arguments :]),
         makers,
         PROGRESS in inspect.signature(function).parameters,
         **{field.name: getattr(registration, field.name) for field in fields(Operation)[6:]},
