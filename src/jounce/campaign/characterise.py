@@ -368,6 +368,34 @@ def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
     return {"curve": result.curve.to_table(result.fitted_range[1])}
 
 
+@dataclass(frozen=True)
+class DecayRecord:
+    """A free decay as it was read: its file, time (s), signal (SI; compression positive), and what was said of it."""
+
+    file: str
+    time: Array
+    signal: Array
+    findings: tuple[Finding, ...]
+
+
+def decay_records(table: DecayBench, folder: Path, sensors: Mapping[str, Sensor] | None = None) -> list[DecayRecord]:
+    """Read the free decays of a campaign; its files are relative to ``folder``."""
+    records = []
+    for file in files_of(table.files, folder, "bench.decay"):
+        data, notes = table.read(file, folder, sensors)
+        data = compression_positive(data, table.stroke_positive, None)
+        if table.channel not in data:
+            raise RecordingError(
+                "the channel is missing",
+                where=file.name,
+                found=", ".join(map(str, data.data_vars)),
+                allowed=table.channel,
+            )
+        time, signal = data["time"].to_numpy(), data[table.channel].to_numpy()
+        records.append(DecayRecord(file.name, time, signal, tuple(notes)))
+    return records
+
+
 def _decay(
     found: Characterisation,
     knowledge: Knowledge,
@@ -387,20 +415,11 @@ def _decay(
     on_tyre = table.support == "tyre"
     results = []
     check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
-    for file in files_of(table.files, folder, "bench.decay"):
-        data, notes = table.read(file, folder, sensors)
-        data = compression_positive(data, table.stroke_positive, None)
-        found.findings += notes
-        if table.channel not in data:
-            raise RecordingError(
-                "the channel is missing",
-                where=file.name,
-                found=", ".join(map(str, data.data_vars)),
-                allowed=table.channel,
-            )
-        time, signal = data["time"].to_numpy(), data[table.channel].to_numpy()
+    for record in decay_records(table, folder, sensors):
+        time, signal = record.time, record.signal
+        found.findings += record.findings
         asked: dict[str, Any] = {"mass": seen_at.sprung_mass, "quantity": _quantity(table.channel)}
-        asked |= {"begin": table.from_, "end": table.to, "name": file.name}
+        asked |= {"begin": table.from_, "end": table.to, "name": record.file}
         stiffness: float | None = seen_at.wheel_rate
         if on_tyre:
             plain = fit_decay(time, signal, quadratic_drag="no", **asked)

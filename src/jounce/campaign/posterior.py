@@ -11,8 +11,8 @@ from typing import Annotated, Any
 import numpy as np
 
 from jounce.campaign.characterise import Knowledge
-from jounce.campaign.result import StrategyResult
 from jounce.campaign.run import Runner, prepared_campaign
+from jounce.campaign.strategy_result import StrategyResult
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, File, Mark, Switch, Texts, operation

@@ -1,28 +1,15 @@
-"""Ours beside a published result: what is reproduced, what is not, and what follows."""
+"""A published result that a campaign states, with its source."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import Field
 
 from jounce.core.description import Description, Whole
-from jounce.core.shown import Shown
-from jounce.core.units import PositiveSpeed, Unit, to_si
-from jounce.parts.rig import unit_of
-
-if TYPE_CHECKING:
-    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+from jounce.core.units import PositiveSpeed, Unit
 
 Share = Annotated[float, Unit("1", at_least=-10.0, at_most=1.0)]
-Verdict = Literal["reproduced", "not reproduced", "not comparable"]
-REDUCTION_APART = 0.10
-"""Percentage points by which a reduction may differ and count as reproduced: it is counted from each one's own start,
-and 10 points are what starts within 10 % of the optimum change it by (strategies of the shipped virtual bench)."""
-REPRESENTED = 0.95
-"""R2 from which on a channel counts as represented: the bound of the verdict `holds`."""
 
 
 class ReferenceUpdate(Description):
@@ -65,137 +52,3 @@ class Reference(Description):
     source: str = Field(min_length=1)
     update: tuple[ReferenceUpdate, ...] = ()
     best_speeds: tuple[PositiveSpeed, ...] = ()
-
-
-@dataclass(frozen=True)
-class ReferenceComparison(Shown):
-    """One published statement beside ours.
-
-    Attributes
-    ----------
-    what : str
-        What it is about.
-    published, ours : str
-        Both, as text with units.
-    verdict : {"reproduced", "not reproduced", "not comparable"}
-        Whether ours agrees.
-    follows : str
-        What follows from it.
-    """
-
-    what: str
-    published: str
-    ours: str
-    verdict: Verdict
-    follows: str
-
-
-def beside_reference(result: CampaignResult) -> list[ReferenceComparison]:
-    """Set a campaign's results beside the published ones that it states; nothing without a table ``[reference]``."""
-    reference = result.campaign.reference
-    if reference is None:
-        return []
-    rows: list[ReferenceComparison] = []
-    for told in reference.update:
-        strategy = next((item for item in result.strategies if item.update.name == told.update), None)
-        if strategy is None:
-            rows.append(
-                ReferenceComparison(
-                    told.update, "", "not run", "not comparable", "The update failed or was not chosen."
-                )
-            )
-        else:
-            rows += _of_update(told, strategy)
-    if reference.best_speeds:
-        rows.append(_of_speeds(reference.best_speeds, result))
-    return rows
-
-
-def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[ReferenceComparison]:
-    name, update = told.update, strategy.update
-    if told.reduction is not None:
-        ours = update.reduction_percent / 100.0
-        agrees = abs(ours - told.reduction) <= REDUCTION_APART
-        follows = (
-            "The update explains as much here as there."
-            if agrees
-            else "It counts from each one's own start: ours lay "
-            + ("farther from the optimum." if ours > told.reduction else "nearer to it, or the model lacks more.")
-        )
-        yield _compared(f"{name}: reduction", _percent(told.reduction), _percent(ours), agrees, follows)
-    if told.iterations is not None:
-        agrees = update.iterations <= 2 * told.iterations and told.iterations <= 2 * update.iterations
-        follows = "Iterations depend on method, start and stopping rule; they say nothing of the model."
-        yield _compared(f"{name}: iterations", str(told.iterations), str(update.iterations), agrees, follows)
-    if told.represents is not None:
-        seen = _represented(strategy)
-        agrees = seen == set(told.represents)
-        follows = f"A channel counts as represented with R² of {REPRESENTED:g} or more on the trials of the update."
-        yield _compared(f"{name}: represents", _listed(told.represents), _listed(seen), agrees, follows)
-    for path, given in told.parameters.items():
-        found = update.parameters.get(path)
-        unit = unit_of(strategy.knowledge.rig, path) if path in strategy.knowledge.rig.parameters() else "1"
-        value = to_si(given, unit, where=f"reference.update.parameters: {path}")
-        if found is None:
-            yield ReferenceComparison(
-                f"{name}: {path}", f"{value:.4g} {unit}", "–", "not comparable", "It was not free here."
-            )
-            continue
-        low, high = _interval(strategy, path)
-        agrees = low <= value <= high
-        follows = (
-            "" if agrees else "Another part, another law, or an error of one of both: compare the component tests."
-        )
-        yield _compared(f"{name}: {path}", f"{value:.4g} {unit}", f"{low:.4g} to {high:.4g} {unit}", agrees, follows)
-
-
-def _compared(what: str, published: str, ours: str, agrees: bool, follows: str) -> ReferenceComparison:
-    return ReferenceComparison(what, published, ours, "reproduced" if agrees else "not reproduced", follows)
-
-
-def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
-    discrepancy = strategy.update.discrepancy
-    if discrepancy is not None and path in discrepancy.parameters:
-        return discrepancy.parameters[path].interval
-    found = strategy.update.parameters[path]
-    return found.interval or (found.value, found.value)
-
-
-def _represented(strategy: StrategyResult) -> set[str]:
-    """Channels with a high R2 on all trials that the update was fitted on."""
-    fitted = [trial.after for trial in strategy.trials if trial.is_fitted and trial.after is not None]
-    channels = set.intersection(*(set(after.channels) for after in fitted)) if fitted else set()
-    return {name for name in channels if all(after.channels[name].r2 >= REPRESENTED for after in fitted)}
-
-
-def _of_speeds(published: tuple[float, ...], result: CampaignResult) -> ReferenceComparison:
-    """The trials of a single obstacle that the model predicts best, as many as were published."""
-    usable = [trial for trial in result.trials if trial.after is not None and trial.obstacle_pitch is None]
-    usable = [trial for trial in usable if trial.entry.speed is not None]
-    ranked = sorted(usable, key=_worst)
-    best = sorted({round(trial.entry.speed or 0.0, 2) for trial in ranked[: len(published)]})
-    near = [speed for speed in published if any(abs(speed - other) <= _SPEEDS_APART for other in best)]
-    said = ", ".join(f"{speed:.2f} m/s" for speed in published)
-    ours = ", ".join(f"{speed:.2f} m/s" for speed in best) or "–"
-    if not best:
-        return ReferenceComparison(
-            "best speeds", said, ours, "not comparable", "No trial of a single obstacle was usable."
-        )
-    follows = "By the largest NRMSE of a channel, over the trials of a single obstacle."
-    return _compared("best speeds", said, ours, len(near) == len(published), follows)
-
-
-_SPEEDS_APART = 0.1  # m/s: how far repeated settings of the published bench lie apart
-
-
-def _worst(trial: TrialResult) -> float:
-    assert trial.after is not None
-    return max(channel.nrmse for channel in trial.after.channels.values())
-
-
-def _percent(share: float) -> str:
-    return f"{100.0 * share:.1f} %"
-
-
-def _listed(names: Any) -> str:
-    return ", ".join(sorted(names)) or "none"

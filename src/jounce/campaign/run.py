@@ -22,16 +22,10 @@ from jounce.campaign.characterise import (
     polynomial_tyres,
 )
 from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
-from jounce.campaign.result import (
-    CampaignResult,
-    Signals,
-    StrategyResult,
-    StrategyTrial,
-    TrialComparison,
-    TrialMotion,
-    TrialResult,
-    compare_trial,
-)
+from jounce.campaign.first_look import first_look
+from jounce.campaign.result import CampaignResult
+from jounce.campaign.strategy_result import StrategyResult, StrategyTrial
+from jounce.campaign.trial_result import Signals, TrialComparison, TrialMotion, TrialResult, compare_trial
 from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
@@ -108,6 +102,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     trials = runner.compare_all(knowledge, strategies)
     lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
     poses = runner.poses(trials)
+    look = first_look(campaign, bench, knowledge.rig, runner.records, trials)
     return CampaignResult(
         campaign,
         runner.folder,
@@ -119,6 +114,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
         tuple(_leading(_unique(findings))),
         lumped,
         poses,
+        look,
     )
 
 
@@ -141,6 +137,7 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    runner.records = {number: item.measured for number, item in loaded.items()}
     runner.truth = _truth(campaign, file.parent, findings)
     runner.place_trials(knowledge)
     runner.decide_datums(knowledge)
@@ -363,6 +360,7 @@ class Runner:
     sensors: dict[int, Mapping[str, Sensor]] = field(default_factory=dict)
     compared: dict[tuple[str, float | None, str], _Compared] = field(default_factory=dict)
     truth: BenchTruth | None = None
+    records: Mapping[int, xr.Dataset] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Give a trial with the rig as it was set up for it."""

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.campaign.result import CampaignResult, TrialComparison
+from jounce.campaign.result import CampaignResult
+from jounce.campaign.trial_result import TrialComparison
 from jounce.core.errors import DescriptionError, FitError, SimulationError
 from jounce.core.samples import as_values
 from jounce.core.types import Array

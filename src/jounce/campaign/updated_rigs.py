@@ -9,7 +9,7 @@ import tomlkit
 
 from jounce.campaign.characterise import TYRE_PATHS, Characterisation
 from jounce.campaign.description import Campaign
-from jounce.campaign.result import StrategyResult
+from jounce.campaign.strategy_result import StrategyResult
 from jounce.core.text import in_one_line
 from jounce.core.toml_comments import annotate, without_head
 from jounce.core.units import to_si

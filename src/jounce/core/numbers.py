@@ -126,6 +126,15 @@ def estimate_text(found: Estimated | None, si: str) -> str:
     return f"{value} {unit}".strip() + (f" (95 %: {interval})" if interval != "–" else "")
 
 
+def with_half(found: Estimated, factor: float = 1.0) -> str:
+    """Write an estimate times a factor with half of its interval: ``5.44 ± 0.03``."""
+    if found.interval is None:
+        return number(found.value * factor)
+    half = 0.5 * (found.interval[1] - found.interval[0]) * factor
+    value = found.value * factor
+    return f"{number(value, digits_for(value, half))} ± {number(half, 2)}"
+
+
 def percent(share: float | None, digits: int = 1) -> str:
     """Write a ratio [1] as percentage with decimals, e.g. ``−3.1 %``.
 

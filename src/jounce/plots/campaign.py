@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.campaign.result import Signals, TrialComparison, TrialResult
+    from jounce.campaign.trial_result import Signals, TrialComparison, TrialResult
 
 
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show

@@ -109,7 +109,9 @@ def _registered() -> Callable[..., Figure]:
     from jounce.analysis.statistics import RecordStatistics
     from jounce.analysis.transfer import TransferEstimate
     from jounce.campaign.bench_fits import MeasuredDamper, MeasuredDecays, MeasuredStiffness
-    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyResult
+    from jounce.campaign.trial_result import TrialResult
     from jounce.design.best_design import BestDesign
     from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront

@@ -16,6 +16,7 @@ from jounce.core.numbers import estimate_text as estimate_text  # noqa: PLC0414
 from jounce.core.numbers import number as number  # noqa: PLC0414
 from jounce.core.numbers import percent as percent  # noqa: PLC0414
 from jounce.core.numbers import quantity as quantity  # noqa: PLC0414
+from jounce.core.numbers import with_half as with_half  # noqa: PLC0414
 from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.campaign.result import CampaignResult, Signals, StrategyResult, StrategyTrial
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyResult, StrategyTrial
+    from jounce.campaign.trial_result import Signals
     from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult
     from jounce.roads import Road

@@ -8,19 +8,18 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots import figure_of
-from jounce.plots.display import digits_for, number, percent, quantity, ratio_unit
+from jounce.plots.display import number, percent, quantity, ratio_unit, with_half
 from jounce.report.page import (
     Block,
     Fact,
     Facts,
-    Findings,
     Page,
     PageTable,
     Picture,
-    Section,
     TableColumn,
+    answer_page,
+    findings_blocks,
     table_of,
-    worst_first,
 )
 
 if TYPE_CHECKING:
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
     from jounce.analysis.spectrum import RecordSpectra, SpectralPeak
     from jounce.analysis.statistics import ChannelStatistics, RecordStatistics
     from jounce.analysis.transfer import TransferEstimate
-    from jounce.core.findings import Finding
-    from jounce.identify.estimate import Estimate
 
 
 def statistics_page(found: RecordStatistics, *, title: str) -> Page:
@@ -64,24 +61,15 @@ def statistics_page(found: RecordStatistics, *, title: str) -> Page:
     gauss = "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
     words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
     picture = Picture(lambda: figure_of(found), "channels", words, words)
-    blocks: list[Block] = [levels, *_said(found.findings), picture, table_of("Distribution", shapes, gauss)]
-    return Page(title, (Section("Answer", tuple(blocks)),), _stretch(found.begin, found.end, found.sample_rate))
+    blocks: list[Block] = [levels, *findings_blocks(found.findings), picture, table_of("Distribution", shapes, gauss)]
+    return answer_page(title, blocks, _stretch(found.begin, found.end, found.sample_rate))
 
 
 def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
     unit = display_unit(channel.unit, max(abs(channel.minimum), abs(channel.maximum)))
     values = (channel.standard_deviation, channel.minimum, channel.maximum)
-    levels = (_with_half(estimate, unit.factor) for estimate in (channel.mean, channel.rms))
+    levels = (with_half(estimate, unit.factor) for estimate in (channel.mean, channel.rms))
     return (channel.channel, unit.name or "–", *levels, *(number(value * unit.factor) for value in values))
-
-
-def _with_half(found: Estimate, factor: float = 1.0) -> str:
-    """A value and half of its interval."""
-    if found.interval is None:
-        return number(found.value * factor)
-    half = 0.5 * (found.interval[1] - found.interval[0]) * factor
-    value = found.value * factor
-    return f"{number(value, digits_for(value, half))} ± {number(half, 2)}"
 
 
 def spectra_page(found: RecordSpectra, *, title: str) -> Page:
@@ -122,7 +110,7 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
     table = PageTable("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
     words = "Power spectral density of each channel; shaded: its interval; circles: peaks."
     picture = Picture(lambda: figure_of(found), "spectra", words, words)
-    blocks: list[Block] = [facts, table, *_said(found.findings), picture]
+    blocks: list[Block] = [facts, table, *findings_blocks(found.findings), picture]
     peaks = [(row, peak) for row in found.channels for peak in row.peaks]
     if peaks:
         cells = tuple(
@@ -131,7 +119,7 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
         )
         header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the valley beside it")
         blocks.append(PageTable("Peaks", header, cells, "lrrr"))
-    return Page(title, (Section("Answer", tuple(blocks)),), _stretch(found.begin, found.end, found.sample_rate))
+    return answer_page(title, blocks, _stretch(found.begin, found.end, found.sample_rate))
 
 
 def _peaks(peaks: Sequence[SpectralPeak]) -> str:
@@ -172,9 +160,9 @@ def transfer_page(found: TransferEstimate, *, title: str) -> Page:
         facts.append(Fact("model", percent(usual), "median distance where the coherence is 0.8 or more"))
         words += " Dashed: the linear model."
     picture = Picture(lambda: figure_of(found), "transfer", words, words)
-    blocks: list[Block] = [Facts(tuple(facts)), *_said(found.findings), picture, _octaves(found)]
+    blocks: list[Block] = [Facts(tuple(facts)), *findings_blocks(found.findings), picture, _octaves(found)]
     subtitle = f"{found.output} over {found.given}; {_stretch(found.begin, found.end, found.sample_rate)}"
-    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+    return answer_page(title, blocks, subtitle)
 
 
 _ESTIMATORS = {
@@ -246,17 +234,17 @@ def measured_modes_page(found: FittedModes, *, title: str) -> Page:
         words += " Dashed: modes of the model."
     picture = Picture(lambda: figure_of(found), "modes", words, words)
     table = PageTable(f"Modes of {what}", header, rows, "r" * len(header), note)
-    blocks: list[Block] = [*([table] if rows else []), *_said(found.findings), picture]
+    blocks: list[Block] = [*([table] if rows else []), *findings_blocks(found.findings), picture]
     band = f"{found.band[0]:.3g} to {found.band[1]:.4g} Hz"
     subtitle = f"{band}; {_stretch(found.begin, found.end, found.sample_rate)}"
-    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+    return answer_page(title, blocks, subtitle)
 
 
 def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
     cells: list[str] = []
     pairs = ((mode.frequency, mode.model_frequency), (mode.damping_ratio, mode.model_damping_ratio))
     for measured, model in pairs:
-        cells.append(_with_half(measured))
+        cells.append(with_half(measured))
         if has_model:
             apart = None if model is None else model / measured.value - 1.0
             inside = model is not None and measured.has(model)
@@ -311,13 +299,9 @@ def integration_page(found: Integration, *, title: str) -> Page:
     velocity = PageTable("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
     words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
     picture = Picture(lambda: figure_of(found), "integrated", words, words)
-    blocks: list[Block] = [table, *_said(found.findings), picture, velocity]
+    blocks: list[Block] = [table, *findings_blocks(found.findings), picture, velocity]
     subtitle = f"{found.motion} motion, valid from {found.valid[0]:.4g} s to {found.valid[1]:.4g} s"
-    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
-
-
-def _said(findings: Sequence[Finding]) -> list[Block]:
-    return [Findings(worst_first(findings))] if findings else []
+    return answer_page(title, blocks, subtitle)
 
 
 def _stretch(begin: float, end: float, rate: float) -> str:

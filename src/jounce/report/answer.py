@@ -17,7 +17,8 @@ from jounce.report.chart import Chart, Panel, Series
 from jounce.report.page import Cell, PageTable
 
 if TYPE_CHECKING:
-    from jounce.campaign.result import CampaignResult, StrategyResult
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyResult
     from jounce.identify.discrepancy import LawEstimate
     from jounce.identify.update import UpdatedParameter
 

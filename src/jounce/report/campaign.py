@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.campaign.reference import beside_reference
+from jounce.campaign.beside_reference import beside_reference
 from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
@@ -21,6 +21,7 @@ from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
 from jounce.report.characterisation import characterisation, replaced_table
 from jounce.report.chart import Chart, Panel, Series, Style
+from jounce.report.first_look import records
 from jounce.report.page import (
     Block,
     Bullets,
@@ -47,7 +48,9 @@ from jounce.roads import Road, read_roads
 
 if TYPE_CHECKING:
     from jounce.campaign.description import TrialEntry
-    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyResult
+    from jounce.campaign.trial_result import TrialResult
     from jounce.design.model_comparison import ModelComparison, PeakDifference
     from jounce.identify.discrepancy import Discrepancy
 
@@ -130,6 +133,7 @@ def campaign_page(result: CampaignResult) -> Page:
         **({} if reference is None else {"Published result": lambda: published(result)}),
         "Curves": lambda: curves(result),
         "Validation": lambda: validation(result),
+        "Records": lambda: records(result.look),
         "Characterisation": lambda: characterisation(result),
         "Updates": lambda: updates(result),
         **({} if compared is None else {"Lumped model versus linkage": lambda: lumped(compared)}),
@@ -317,7 +321,7 @@ def published(result: CampaignResult) -> Section:
 def _reference_table(result: CampaignResult) -> PageTable:
     rows = [
         (row.what, row.published, row.ours, Cell(row.verdict, _REPRODUCED[row.verdict]), row.follows)
-        for row in beside_reference(result)
+        for row in beside_reference(result.campaign.reference, result.strategies, result.trials)
     ]
     source = result.campaign.reference.source if result.campaign.reference else ""
     header = ("statement", "published", "here", "verdict", "what follows")

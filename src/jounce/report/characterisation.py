@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.campaign.characterise import files_of
+from jounce.campaign.characterise import decay_records
 from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.results import ESTIMATE, ResultField, fields_of, fields_table, group_table
 from jounce.core.types import Array
 from jounce.identify.motion import MOTIONS
-from jounce.identify.signs import compression_positive
 from jounce.parts.rig import shown_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
@@ -284,12 +283,8 @@ def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tup
     """File name, time (s) and record (SI) of each decay; none where they cannot be read any more."""
     if table is None:
         return []
-    found = []
     try:
-        for file in files_of(table.files, result.folder, "report"):
-            recording, _ = table.read(file, result.folder, result.campaign.sensors)
-            recording = compression_positive(recording, table.stroke_positive, None)
-            found.append((file.name, recording["time"].to_numpy(), recording[table.channel].to_numpy()))
-    except (JounceError, KeyError):
+        records = decay_records(table, result.folder, result.campaign.sensors)
+    except JounceError:
         return []
-    return found
+    return [(record.file, record.time, record.signal) for record in records]

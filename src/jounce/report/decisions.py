@@ -11,12 +11,13 @@ from jounce.report.page import (
     Cell,
     Fact,
     Facts,
-    Findings,
     Page,
     PageTable,
     Section,
     TableColumn,
     Tone,
+    answer_page,
+    findings_blocks,
     picture_of,
     table_of,
 )
@@ -63,8 +64,7 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     answer: list[Block] = [Facts(tuple(facts)), _numbers(found.numbers)]
     if found.constraints:
         answer.append(_limits(found.constraints))
-    if found.findings:
-        answer.append(Findings(found.findings))
+    answer += findings_blocks(found.findings)
     names = dict.fromkeys((*found.objective, *found.before))
     rows = []
     for name in names:
@@ -180,8 +180,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
     picture = picture_of(front, "front", words)
     answer: list[Block] = [facts, picture, table_of("For comparison", marks)]
-    if front.findings:
-        answer.append(Findings(front.findings))
+    answer += findings_blocks(front.findings)
     every = Section("Every design", (table_of(f"From {front.heading}", designs),))
     return Page(
         title, (Section("Answer", tuple(answer)), every), f"Pareto front, {front.heading}, on {raised(front.driven)}"
@@ -226,9 +225,8 @@ def springs_page(design: SpringDesign, *, title: str) -> Page:
     )
     tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
     blocks: list[Block] = [table_of(f"Springs and dampers, {tyre}", columns)]
-    if design.findings:
-        blocks.append(Findings(design.findings))
-    return Page(title, (Section("Answer", tuple(blocks)),))
+    blocks += findings_blocks(design.findings)
+    return answer_page(title, blocks)
 
 
 def design_front_page(front: DesignFront, *, title: str) -> Page:
@@ -273,7 +271,6 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
         "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
     )
     answer: list[Block] = [facts, picture_of(front, "front", words)]
-    if front.findings:
-        answer.append(Findings(front.findings))
+    answer += findings_blocks(front.findings)
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
     return Page(title, sections, f"Best designs on {raised(front.driven)}")

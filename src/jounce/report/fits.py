@@ -14,13 +14,13 @@ from jounce.report.page import (
     Block,
     Bullets,
     Details,
-    Findings,
     Page,
     PageTable,
     Paragraph,
     Picture,
-    Section,
+    answer_page,
     as_table,
+    findings_blocks,
     unique_slugs,
 )
 
@@ -74,7 +74,7 @@ def stiffness_page(
         To be written with :data:`jounce.report.REPORTS`.
     """
     first, *others = stiffness_blocks(found, trials, title, "stiffness")
-    return _page(title, [first, *_said(findings), *others], f"Stiffness, {found.law} law")
+    return answer_page(title, [first, *findings_blocks(findings), *others], f"Stiffness, {found.law} law")
 
 
 def decay_page(
@@ -106,13 +106,13 @@ def decay_page(
     caption = f"Damping from {len(decays)} free decays combined" if several else "Damping from a free decay"
     files = unique_slugs([f"decay {name}" for name in decays])
     charts = [decay_chart(*one, name, file) for file, (name, one) in zip(files, decays.items(), strict=True)]
-    blocks: list[Block] = [decay_table(found, caption), *_said(findings), *charts[:1]]
+    blocks: list[Block] = [decay_table(found, caption), *findings_blocks(findings), *charts[:1]]
     if several:
         blocks += [
             each_decay([one for one, _, _ in decays.values()], list(decays)),
             Details("Figures of the other decays", tuple(charts[1:])),
         ]
-    return _page(title, blocks, "Damping from free decay")
+    return answer_page(title, blocks, "Damping from free decay")
 
 
 def damper_page(
@@ -153,8 +153,8 @@ def damper_page(
     tables = {"damper": found.damper, "friction": found.friction}
     rig = Bullets(tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None))
     in_rig = Paragraph("In a rig file, below [strut], positive in compression (bump):")
-    blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *_said(findings), picture]
-    return _page(title, blocks, f"Damper, {found.law} law")
+    blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *findings_blocks(findings), picture]
+    return answer_page(title, blocks, f"Damper, {found.law} law")
 
 
 def _toml(table: dict[str, Any]) -> str:
@@ -193,7 +193,7 @@ def hardpoints_page(found: HardpointFit, *, title: str) -> Page:
     note = f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses."
     points = PageTable("Points", header, tuple(rows), "lrrrrl", note)
     left = as_table(group_table("What is left, root mean square", found.quantities))
-    return _page(title, [points, left, *_said(found.findings)], "Hardpoints from measured poses")
+    return answer_page(title, [points, left, *findings_blocks(found.findings)], "Hardpoints from measured poses")
 
 
 def _moved(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
@@ -203,11 +203,3 @@ def _moved(label: str, estimate: Estimate, si: str, before: float) -> tuple[str,
     unit = display_unit(si)
     value, _, interval, name = estimate_cells(change, si, unit)
     return label, *(number(size * unit.factor, 6) for size in (before, estimate.value)), value, interval, name or "–"
-
-
-def _said(findings: Sequence[Finding]) -> list[Block]:
-    return [Findings(tuple(findings))] if findings else []
-
-
-def _page(title: str, blocks: Sequence[Block], subtitle: str) -> Page:
-    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)

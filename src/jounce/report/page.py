@@ -300,6 +300,16 @@ def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(findings, key=lambda finding: order.index(finding.severity)))
 
 
+def findings_blocks(findings: Sequence[Finding]) -> list[Block]:
+    """Findings as blocks of a page, the worst first; none where there are none."""
+    return [Findings(worst_first(findings))] if findings else []
+
+
+def answer_page(title: str, blocks: Sequence[Block], subtitle: str = "") -> Page:
+    """Make a page of one section, the answer."""
+    return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
+
+
 _NEGATIVE = re.compile(r"(?<![\w.−-])-(?=\d)")
 
 

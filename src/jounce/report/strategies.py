@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.campaign.result import CLOSE, LOOSE
+from jounce.campaign.trial_result import CLOSE, LOOSE
 from jounce.plots.display import number, percent
 from jounce.report.page import Block, Cell, Details, PageTable, Paragraph, Subsection, Tone
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from jounce.campaign.result import CampaignResult, ChannelComparison, StrategyTrial
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyTrial
+    from jounce.campaign.trial_result import ChannelComparison
 
 
 _METRICS: tuple[tuple[str, str, Callable[[ChannelComparison], float]], ...] = (

@@ -18,7 +18,9 @@ from jounce.report.chart import Chart
 from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, scene_panels
 
 if TYPE_CHECKING:
-    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.campaign.result import CampaignResult
+    from jounce.campaign.strategy_result import StrategyResult
+    from jounce.campaign.trial_result import TrialResult
     from jounce.core.types import Array
     from jounce.report.page import Tone
 

@@ -8,8 +8,9 @@ import pytest
 
 import jounce as jn
 from jounce.campaign import CampaignResult
+from jounce.campaign.beside_reference import beside_reference
 from jounce.campaign.description import load_campaign
-from jounce.campaign.reference import Reference, beside_reference
+from jounce.campaign.reference import Reference
 from jounce.core.errors import DescriptionError
 from jounce.report.campaign import campaign_summary
 
@@ -34,7 +35,10 @@ def result(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
 
 
 def test_each_statement_has_a_verdict(result: CampaignResult) -> None:
-    rows = {row.what.partition(": ")[2] or row.what: row for row in beside_reference(result)}
+    rows = {
+        row.what.partition(": ")[2] or row.what: row
+        for row in beside_reference(result.campaign.reference, result.strategies, result.trials)
+    }
     update = result.strategies[0].update
     assert rows["reduction"].ours == f"{update.reduction_percent:.1f} %"
     assert (rows["reduction"].verdict == "reproduced") == (abs(update.reduction_percent - 95.0) <= 10.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from jounce.campaign.description import TrialEntry
-from jounce.campaign.result import ChannelComparison, Signals, TrialComparison, TrialResult
+from jounce.campaign.trial_result import ChannelComparison, Signals, TrialComparison, TrialResult
 from jounce.identify.update import Identifiability, UpdatedParameter, UpdateResult
 
 

@@ -124,7 +124,7 @@ def test_page_needs_nothing_else(html: str) -> None:
 
 def test_synthetic_everywhere(html: str, written: Path) -> None:
     reader = Reader(html)
-    assert html.count('<span class="tag">Synthetic data, not measurements</span>') == reader.tags["section"] == 8
+    assert html.count('<span class="tag">Synthetic data, not measurements</span>') == reader.tags["section"] == 9
     assert "Made by a test." in html
     for file in (written / "figures").glob("*.svg"):
         assert "Synthetic data, not measurements" in file.read_text(encoding="utf-8")

@@ -1,0 +1,62 @@
+"""Updates with what was known before and after them, and all trials compared."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from jounce.campaign.characterise import Knowledge
+from jounce.campaign.trial_result import Signals, TrialComparison
+from jounce.core.shown import Shown
+from jounce.identify.update import UpdateResult
+
+
+@dataclass(frozen=True)
+class StrategyTrial:
+    """One trial before and after one update, which was fitted on it (``is_fitted``) or not; None: it did not run."""
+
+    number: int
+    is_fitted: bool
+    before: TrialComparison | None
+    after: TrialComparison | None
+    signals_before: dict[str, Signals]
+    signals: dict[str, Signals]
+
+
+@dataclass(frozen=True)
+class StrategyResult(Shown):
+    """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared.
+
+    ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
+    ``truth`` has the values behind synthetic recordings, as a test machine would find them, by path (SI), where they
+    stand beside the campaign.
+    """
+
+    update: UpdateResult
+    start: Knowledge
+    knowledge: Knowledge
+    fitted_on: tuple[int, ...]
+    rig_texts: dict[str, str] = field(default_factory=dict)
+    trials: tuple[StrategyTrial, ...] = ()
+    truth: dict[str, float] = field(default_factory=dict)
+
+    def trial(self, number: int) -> StrategyTrial:
+        """Give a trial before and after this update, by its number."""
+        return next(trial for trial in self.trials if trial.number == number)
+
+    def objective_by_channel(self) -> dict[str, tuple[float, float]]:
+        """Split Eq. 2 over the trials it was fitted on, unweighted.
+
+        Returns
+        -------
+        dict of str to (float, float)
+            Channel to its sum of squared differences before and after, in the square of its SI unit: (m/s^2)^2.
+        """
+        fitted = [t for t in self.trials if t.is_fitted and t.before is not None and t.after is not None]
+        split: dict[str, tuple[float, float]] = {}
+        for trial in fitted:
+            assert trial.before is not None
+            assert trial.after is not None
+            for name, after in trial.after.channels.items():
+                before_sum, after_sum = split.get(name, (0.0, 0.0))
+                split[name] = (before_sum + trial.before.channels[name].objective, after_sum + after.objective)
+        return split

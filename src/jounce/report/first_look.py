@@ -1,0 +1,137 @@
+"""The report of a campaign, records: spectra and transfer functions beside the model, modes, statistics of channels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.display import display_unit
+from jounce.plots.display import given, number, percent, quantity, ratio_unit, with_half
+from jounce.report.chart import Chart, Panel, Series
+from jounce.report.page import Block, Cell, Details, PageTable, Paragraph, Section, Subsection, unique_slugs
+
+if TYPE_CHECKING:
+    from jounce.analysis.spectrum import RecordSpectra
+    from jounce.analysis.transfer import TransferEstimate
+    from jounce.campaign.first_look import ComparedMode, ComparedSpectra, FirstLook, TrialStatistics
+
+
+def records(look: FirstLook) -> Section:
+    """Spectra and transfer functions at each pressure, modes of decays and trials, statistics of every channel."""
+    blocks: list[Block] = []
+    names = unique_slugs([f"spectra {given(one.pressure, 'Pa')}" for one in look.spectra])
+    if look.spectra:
+        charts = tuple(_spectra(one, name) for one, name in zip(look.spectra, names, strict=True))
+        blocks.append(Subsection("Spectra and transfer functions", charts))
+    if look.modes:
+        blocks.append(Subsection("Modal frequencies and damping", (_modes(look.modes),)))
+    if look.statistics:
+        table = _statistics(look.statistics)
+        blocks.append(Subsection("Statistics of the channels", (Details("Every trial and channel", (table,)),)))
+    if not blocks:
+        blocks.append(Paragraph("No record could be analysed; see Findings."))
+    return Section("Records", tuple(blocks))
+
+
+def _spectra(found: ComparedSpectra, name: str) -> Chart:
+    panels = [_density(found, k) for k in range(len(found.measured.channels))]
+    words = "Amplitude density of each channel"
+    if found.transfer is not None and found.model_transfer is not None:
+        panels += _transfer(found.transfer, found.model_transfer)
+        words += ", and gain and coherence from wheel to body"
+    settings = ", ".join(text for text in (given(found.pressure, "Pa"), given(found.angle, "rad")) if text != "–")
+    caption = (
+        f"{_trials(found.trials).capitalize()}{f' ({settings})' if settings else ''}: {words[0].lower()}{words[1:]}. "
+        "The model's readings in the same trials are analysed alike."
+    )
+    return Chart(tuple(panels), name, caption, f"{words}, measured and of the model.")
+
+
+_ROLES = (("measured", "measured"), ("after", "model"))
+
+
+def _density(found: ComparedSpectra, channel: int) -> Panel:
+    both: tuple[RecordSpectra, ...] = (found.measured, found.simulated)
+    unit = display_unit(found.measured.channels[channel].unit)
+    series = []
+    for spectra, (role, label) in zip(both, _ROLES, strict=True):
+        row = spectra.channels[channel]
+        series.append(Series(row.frequency, np.sqrt(row.density) * unit.factor, role, "line", label))
+    return Panel(
+        tuple(series),
+        "frequency [Hz]",
+        f"density [({unit.name})/√Hz]",
+        both[0].channels[channel].channel,
+        from_zero=True,
+    )
+
+
+def _transfer(measured: TransferEstimate, model: TransferEstimate) -> list[Panel]:
+    both = (measured, model)
+    output, into = display_unit(measured.output_unit), display_unit(measured.given_unit)
+    factor = output.factor / into.factor
+    gains = [
+        Series(one.frequency, one.gain * factor, role, "line", label)
+        for one, (role, label) in zip(both, _ROLES, strict=True)
+    ]
+    coherences = [
+        Series(one.frequency, one.coherence, role, "line", label)
+        for one, (role, label) in zip(both, _ROLES, strict=True)
+    ]
+    title = f"{measured.output} over {measured.given}"
+    across = "frequency [Hz]"
+    return [
+        Panel(tuple(gains), across, f"gain [{ratio_unit(output.name, into.name)}]", title, from_zero=True),
+        Panel(tuple(coherences), across, "coherence [–]", "coherence over the trials", y_range=(0.0, 1.0)),
+    ]
+
+
+def _modes(modes: Sequence[ComparedMode]) -> PageTable:
+    rows = [
+        (
+            mode.decay or _trials(mode.trials),
+            with_half(mode.frequency),
+            number(mode.model_frequency),
+            number(mode.readings_frequency),
+            with_half(mode.damping_ratio),
+            number(mode.model_damping_ratio),
+            number(mode.readings_damping_ratio),
+        )
+        for mode in modes
+    ]
+    model = ("linear model", "model, same fit")
+    header = ("record", "frequency [Hz]", *(f"{one} [Hz]" for one in model), "damping ratio", *model)
+    note = (
+        "± half of the 95 % interval of what noise does. Undamped natural frequencies of free motion: decays, and "
+        "trials after their last obstacle. The linear model is without dry friction, and so is the damping of decays; "
+        "in trials friction counts as damping. Same fit: to the model's readings in these trials, friction included; – "
+        "where they show no such mode."
+    )
+    return PageTable("Modes of the records beside those of the model", header, tuple(rows), "lrrrrrr", note)
+
+
+def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
+    rows: list[tuple[Cell | str, ...]] = []
+    for trial in statistics:
+        for row in trial.channels:
+            values = (row.mean.value, row.rms.value, row.minimum, row.maximum)
+            share = trial.clipped[row.channel]
+            clipped = Cell(percent(share), "bad", "at its limits") if share else "–"
+            rows.append(
+                (
+                    str(trial.number),
+                    row.channel,
+                    *(quantity(value, row.unit, 3) for value in values),
+                    number(row.crest_factor, 3),
+                    clipped,
+                )
+            )
+    header = ("trial", "channel", "mean (offset)", "r.m.s.", "minimum", "maximum", "crest factor", "clipped")
+    note = "As recorded, before zeros are taken off. Clipped: share of the samples that lie at the channel's limits."
+    return PageTable("Statistics of the channels", header, tuple(rows), "llrrrrrr", note)
+
+
+def _trials(numbers: Sequence[int]) -> str:
+    return f"trial{'' if len(numbers) == 1 else 's'} {', '.join(map(str, numbers))}"
