@@ -87,11 +87,11 @@ from .exchange.roads import write_road as write_road
 from .identify.calibration import Calibration as Calibration
 from .identify.calibration import fit_calibration as fit_calibration
 from .identify.calibration import read_calibration as read_calibration
-from .identify.damper import DamperCurve as DamperCurve
-from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve
 from .identify.damper import fit_damper as fit_damper
 from .identify.damper_laws import harmonic_energy as harmonic_energy
+from .identify.damper_result import DamperCurve as DamperCurve
+from .identify.damper_result import DamperResult as DamperResult
 from .identify.decay import fit_decay as fit_decay
 from .identify.discrepancy import Discrepancy as Discrepancy
 from .identify.doubt import Doubt as Doubt

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from rules import CONFIGURATION, ROOT, packages_below
+from rules.circles import import_circle
 
 PACKAGES = sorted(folder.parent.name for folder in (ROOT / "src" / "jounce").glob("*/__init__.py"))
 RUN = "from importlinter.cli import lint_imports_command as run; run(['--no-cache'])"
@@ -58,3 +59,31 @@ def test_broken_contract_is_noticed(tmp_path: Path, importer: str, imported: str
     done = lint_imports(tmp_path, PYTHONPATH=str(tmp_path))
     assert done.returncode == 1
     assert contract in done.stdout
+
+
+def test_no_modules_import_each_other() -> None:
+    assert import_circle(ROOT / "src" / "jounce") == []
+
+
+@pytest.mark.parametrize(
+    "back",
+    [
+        "from jounce.roads.first import anything",
+        "from jounce.roads import first",
+        "from . import first",
+        "from jounce.roads import anything",
+        "def later():\n    from jounce.roads.first import anything",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from jounce.roads.first import anything",
+    ],
+)
+def test_circles_are_noticed(tmp_path: Path, back: str) -> None:
+    folder = tmp_path / "jounce" / "roads"
+    folder.mkdir(parents=True)
+    (tmp_path / "jounce" / "__init__.py").write_text("", encoding="utf-8")
+    (folder / "__init__.py").write_text("", encoding="utf-8")
+    (folder / "__init__.pyi").write_text("from .first import anything as anything\n", encoding="utf-8")
+    (folder / "first.py").write_text("import jounce.roads.second\n", encoding="utf-8")
+    (folder / "second.py").write_text("", encoding="utf-8")
+    assert import_circle(tmp_path / "jounce") == []
+    (folder / "second.py").write_text(back + "\n", encoding="utf-8")
+    assert set(import_circle(tmp_path / "jounce")) == {"jounce.roads.first", "jounce.roads.second"}

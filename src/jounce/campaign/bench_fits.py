@@ -16,9 +16,10 @@ from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
 from jounce.core.typed import positive_quantity, quantity
 from jounce.core.types import Array
-from jounce.identify.damper import DamperCurve, DamperResult, damper_curve, fit_damper
+from jounce.identify.damper import damper_curve, fit_damper
 from jounce.identify.damper_laws import LawName
 from jounce.identify.damper_record import VelocityFrom
+from jounce.identify.damper_result import DamperCurve, DamperResult
 from jounce.identify.decay import CombinedDecay, DecayResult, Drag, combine_decays, fit_decay
 from jounce.identify.force_deflection import Branch, ForceDeflectionTrial
 from jounce.identify.motion import MOTIONS, QUANTITY_OF_UNIT, MeasuredMotion, motion_of, spoken

@@ -209,8 +209,8 @@ def _road_of(laboratory: Laboratory, row: TrialRow) -> Road:
 
 
 def _peaks(rig: Rig, trial: Trial, begin: float) -> dict[str, float]:
-    from jounce.simulation.run import solved
     from jounce.simulation.settings import RunSettings
+    from jounce.simulation.solve import solved
 
     run = solved(rig, trial, RunSettings(_STEP))
     return {name: float(np.max(np.abs(run.channels[name][0][run.time >= begin]))) for name in CHANNELS}

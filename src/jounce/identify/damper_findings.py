@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -10,12 +10,10 @@ from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.identify.damper_laws import damper_law, regularisation_velocity
 from jounce.identify.damper_record import DamperMotion
+from jounce.identify.damper_result import DamperResult
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.low_pass import low_pass_corner
 from jounce.identify.signals import quantum_of
-
-if TYPE_CHECKING:
-    from jounce.identify.damper import DamperResult
 
 
 def hysteresis_share(motion: DamperMotion) -> float:

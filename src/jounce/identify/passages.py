@@ -26,9 +26,9 @@ from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import recording_of
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.roads import Road, Train, Trial
-from jounce.simulation.run import solved
 from jounce.simulation.running import loops_before
 from jounce.simulation.settings import RunSettings
+from jounce.simulation.solve import solved
 
 LEAD = 0.05
 """Share of the distance between two passages by which an averaged loop begins before the obstacle."""

@@ -123,7 +123,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.design.spread import KinematicSpread
     from jounce.design.studied import StudiedDesign
     from jounce.identify.calibration import Calibration
-    from jounce.identify.damper import DamperCurve
+    from jounce.identify.damper_result import DamperCurve
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
     from jounce.identify.update import UpdateResult

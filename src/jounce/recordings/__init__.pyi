@@ -5,6 +5,7 @@ from .files import read_columns as read_columns
 from .files import read_recording as read_recording
 from .files import to_pandas as to_pandas
 from .files import write_recording as write_recording
+from .measuring import apply_sensors as apply_sensors
 from .quality import check_channels as check_channels
 from .quality import check_time as check_time
 from .reader import Reader as Reader
@@ -12,7 +13,6 @@ from .readers import READERS as READERS
 from .schema import channel_unit as channel_unit
 from .schema import check_recording as check_recording
 from .sensors import Sensor as Sensor
-from .sensors import apply_sensors as apply_sensors
 from .sensors import filter_signals as filter_signals
 from .signals import band_limit as band_limit
 from .signals import cfc_filter as cfc_filter

@@ -5,10 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
-import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import Annotated, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,17 +15,12 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description, Whole
-from jounce.core.errors import shown, unknown
+from jounce.core.errors import shown
 from jounce.core.samples import as_samples
-from jounce.core.seeds import check_seed
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, as_number, to_si
-from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import channel_unit
 from jounce.recordings.signals import check_frequency
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 Initial = Literal["steady", "zero"]
 Datum = Literal["rest", "undeformed", "free offset"]
@@ -282,59 +276,3 @@ def check_sensors(sensors: Mapping[str, Sensor], where: str) -> None:
         unit = channel_unit(name)
         bias_of(sensor, unit, where=f"{where}: {name}.bias")
         noise_of(sensor, unit, where=f"{where}: {name}.noise")
-
-
-def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:
-    """Turn a simulated motion into the record of its sensors.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A recording on uniform time (s), at rest at its first sample: the zero of sensors with datum "rest".
-    sensors : mapping of str to Sensor
-        Sensor of each channel that has one; other channels are not changed.
-    seed : int, optional
-        Seed of the noise; no noise without it. The noise of a channel depends only on the seed and its name.
-
-    Returns
-    -------
-    xarray.Dataset
-        A new recording; ``dataset`` is not changed.
-
-    Raises
-    ------
-    DescriptionError
-        If a sensor's channel is not in the recording, or a bias or noise has a unit of another dimension.
-    RecordingError
-        If a corner frequency is not below half the sample rate.
-
-    Examples
-    --------
-    >>> from jounce.recordings import recording
-    >>> run = recording([0.0, 0.001, 0.002], {"sprung.az": ([0.0, 1.0, 2.0], "m/s^2", "")})
-    >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
-    [9.80665, 8.80665, 7.80665]
-    """
-    from jounce.recordings.conditioning import cut_to_range
-
-    if seed is not None:
-        check_seed(seed)
-    dataset = as_recording(dataset)
-    names = [str(name) for name in dataset.data_vars]
-    time = dataset["time"].values
-    rate = (time.size - 1) / float(time[-1] - time[0]) if time.size > 1 else 1.0
-    changed = {}
-    for name, sensor in sensors.items():
-        if name not in names:
-            raise unknown(name, names, what="channel", where="sensors")
-        variable = dataset[name].variable
-        zero = variable.values[0] if sensor.datum == "rest" else 0.0
-        values = filter_signals(variable.values - zero, rate, sensor, where=f"sensor of {name}")
-        values = values + bias_of(sensor, variable.attrs["units"], where=f"sensor of {name}: bias")
-        deviation = noise_of(sensor, variable.attrs["units"], where=f"sensor of {name}: noise")
-        if seed is not None and deviation > 0.0:
-            generator = np.random.default_rng([seed, zlib.crc32(name.encode())])
-            values = values + deviation * generator.standard_normal(values.shape)
-        values = cut_to_range(name, sensor, values)
-        changed[name] = (variable.dims, values, dict(variable.attrs))
-    return dataset.assign(changed)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.core.types import Array
     from jounce.design.measured_poses import HardpointFit
-    from jounce.identify.damper import DamperCurve, DamperResult
+    from jounce.identify.damper_result import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult

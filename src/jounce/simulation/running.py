@@ -12,8 +12,8 @@ from jounce.core.errors import SimulationError
 from jounce.parts import Rig
 from jounce.roads import Road, Trial
 from jounce.simulation.linear_model import linearise
-from jounce.simulation.run import RunOutput, solved
 from jounce.simulation.settings import RunSettings, Start
+from jounce.simulation.solve import RunOutput, solved
 
 LEFT_OVER = 1e-3
 """Share of a start from rest that may be left when a run on a belt begins: the energy of a residual of 1e-6."""
@@ -74,7 +74,7 @@ def period_of(trial: Trial) -> float:
 
 
 def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any) -> RunOutput:
-    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.run.solved`.
+    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.solve.solved`.
 
     The run is begun from rest so many loops earlier and its time counts from where the trial begins.
     """

@@ -16,8 +16,8 @@ from jounce.recordings.schema import extremes
 from jounce.roads import Trial
 from jounce.roads.options import AnyTrial
 from jounce.roads.trial import trial_findings
-from jounce.simulation.run import RunOutput, solved
 from jounce.simulation.settings import Method, RunSettings, Start
+from jounce.simulation.solve import RunOutput, solved
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -662,7 +662,7 @@ class _TrialGroup:
         """Run the rig with some of its numbers changed."""
         settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
         if self.control is not None:
-            from jounce.simulation.run import solved
+            from jounce.simulation.solve import solved
 
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])

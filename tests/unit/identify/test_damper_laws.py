@@ -10,10 +10,11 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.damper import DamperResult, _fitted_part, damper_curve, fit_damper
+from jounce.identify.damper import _fitted_part, damper_curve, fit_damper
 from jounce.identify.damper_findings import _force_step, damper_advice, hysteresis_share
 from jounce.identify.damper_laws import LAWS, damper_law
 from jounce.identify.damper_record import _check_velocity, _moving_part, cycles_of, read_motion
+from jounce.identify.damper_result import DamperResult
 from jounce.identify.estimate import Estimate
 from jounce.identify.hysteresis_path import bouc_wen_path
 
