@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of, to_si
 from jounce.recordings.plausibility import implausible
+from jounce.recordings.quality import check_even
 from jounce.recordings.schema import channel_unit, describe, place_of
 
 if TYPE_CHECKING:
@@ -159,8 +161,15 @@ def conditioned(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) 
         The same recording with those channels in SI in place of what the card recorded. Orientation and gain of a
         sensor stay: the model's signals go through them.
     findings : list of Finding
-        What reached the end of a sensor's range, and numbers that no suspension reaches.
+        What reached the end of a sensor's range, an offset that was taken off behind AC coupling, and numbers that no
+        suspension reaches.
+
+    Raises
+    ------
+    RecordingError
+        For time with steps that differ: the chain of a sensor is defined for a constant rate.
     """
+    time = check_even(data["time"].to_numpy(), where=where)
     channels, findings = {}, list[Finding]()
     for name, sensor in sensors.items():
         if not sensor.sensitivity:
@@ -173,15 +182,27 @@ def conditioned(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) 
         zero = to_si(sensor.zero, chain.recorded, where=f"sensors: {name}.zero") if sensor.zero else 0.0
         if sensor.high_pass is not None and not sensor.zero:  # behind AC coupling a mean is the conditioner's offset
             zero = float(recorded.mean())
+            findings += _offset_removed(name, recorded, zero, chain, where)
         values = (recorded - zero) / chain.factor
         attributes = {"units": channel_unit(name), "long_name": describe(name), "place": place_of(name)}
         channels[name] = (data[raw].dims, values, attributes)
         data = data.drop_vars(raw)
         findings += _beyond(name, values, sensor, where)
-    time = data["time"].to_numpy()
     step = float(time[-1] - time[0]) / max(len(time) - 1, 1)
     findings += implausible({name: values for name, (_, values, _) in channels.items()}, step, where=where)
     return data.assign(channels), findings
+
+
+def _offset_removed(name: str, recorded: Array, zero: float, chain: Sensitivity, where: str) -> list[Finding]:
+    """Say which mean was taken off behind AC coupling, where it can be seen beside the signal."""
+    if abs(zero) <= _SEEN * float(np.ptp(recorded)):
+        return []
+    unit, offset = channel_unit(name), zero / chain.factor
+    numbers = {"recorded": zero, "electrical": chain.recorded.replace("1", "counts"), "offset": offset, "unit": unit}
+    return [finding("recordings.offset_removed", f"{where}: {name}", offset, **numbers)]
+
+
+_SEEN = 0.01  # of the range of a signal, from which on an offset is said
 
 
 def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterator[Finding]:
@@ -208,15 +229,17 @@ def range_of(name: str, sensor: Sensor) -> tuple[float, float] | None:
     >>> range_of("sprung.az", Sensor(sensitivity="1 V/(m/s^2)", range="10 V"))
     (-10.0, 10.0)
     """
-    if not sensor.range:
-        return None
-    unit = channel_unit(name)
-    text = sensor.range.lstrip("±").strip()
-    chain = sensitivity_of(sensor.sensitivity, unit, where=f"sensors: {name}") if sensor.sensitivity else None
+    return _range(name, sensor.range, sensor.sensitivity, sensor.zero) if sensor.range else None
+
+
+@lru_cache(maxsize=256)  # a fit asks at every evaluation
+def _range(name: str, given: str, sensitivity: str | tuple[str, ...], zero: str) -> tuple[float, float]:
+    unit, text = channel_unit(name), given.lstrip("±").strip()
+    chain = sensitivity_of(sensitivity, unit, where=f"sensors: {name}") if sensitivity else None
     if chain is not None and _has_unit(text, chain.recorded):
         size = to_si(text, chain.recorded, where=f"sensors: {name}.range")
-        zero = to_si(sensor.zero, chain.recorded, where=f"sensors: {name}.zero") if sensor.zero else 0.0
-        ends = sorted(((-size - zero) / chain.factor, (size - zero) / chain.factor))
+        middle = to_si(zero, chain.recorded, where=f"sensors: {name}.zero") if zero else 0.0
+        ends = sorted(((-size - middle) / chain.factor, (size - middle) / chain.factor))
         return ends[0], ends[1]
     size = to_si(text, unit, where=f"sensors: {name}.range")
     return -size, size

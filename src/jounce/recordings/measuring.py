@@ -12,6 +12,7 @@ from jounce.core.errors import unknown
 from jounce.core.seeds import check_seed
 from jounce.recordings.carried import as_recording
 from jounce.recordings.conditioning import cut_to_range
+from jounce.recordings.quality import check_even
 from jounce.recordings.sensors import Sensor, bias_of, filter_signals, noise_of
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
     DescriptionError
         If a sensor's channel is not in the recording, or a bias or noise has a unit of another dimension.
     RecordingError
-        If a corner frequency is not below half the sample rate.
+        If a corner frequency is not below half the sample rate, or steps of time differ by more than 1 %.
 
     Examples
     --------
@@ -53,7 +54,7 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
         check_seed(seed)
     dataset = as_recording(dataset)
     names = [str(name) for name in dataset.data_vars]
-    time = dataset["time"].values
+    time = check_even(dataset["time"].to_numpy(), where="recording")
     rate = (time.size - 1) / float(time[-1] - time[0]) if time.size > 1 else 1.0
     changed = {}
     for name, sensor in sensors.items():

@@ -87,6 +87,16 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     ]
 
 
+def check_even(time: Array, *, where: str) -> Array:
+    """Refuse instants (s), shape (n,), whose steps differ by more than 1 %, as a filter would take them for even.
+
+    Fewer instants than a record has are not checked.
+    """
+    if time.size >= FEWEST_SAMPLES:
+        check_time(time, where=where)
+    return time
+
+
 def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> Array:
     """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; return its steps."""
     at = f"{where}: time"

@@ -10,8 +10,8 @@ from scipy import signal
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.recordings import Sensor, read_recording
-from jounce.recordings.conditioning import range_of, sensitivity_of
+from jounce.recordings import Sensor, apply_sensors, conditioning, read_recording, recording
+from jounce.recordings.conditioning import conditioned, range_of, sensitivity_of
 from jounce.recordings.sensors import sections_of
 
 GRAVITY = 9.80665
@@ -152,3 +152,38 @@ def test_filters_have_the_response_of_the_analogue_ones(order: int, corner: floa
         _, wanted = signal.freqs(*analogue, 2.0 * np.pi * frequency)
         beside = frequency < corner if kind == "low" else corner < _COUPLING
         assert np.max(np.abs(found - wanted)[beside], initial=0.0) < error
+
+
+def test_an_offset_behind_ac_coupling_is_said_with_its_size() -> None:
+    time = np.arange(1000) * 1e-3
+    wave = np.sin(2.0 * np.pi * 10.0 * time)
+    for offset, codes in ((0.5, ["recordings.offset_removed"]), (0.0, [])):
+        raw = recording(time, {"sprung.az.voltage": (wave + offset, "V", "")})
+        sensor = Sensor(sensitivity="100 mV/(m/s^2)", high_pass=0.5)
+        run, findings = conditioned(raw, {"sprung.az": sensor}, where="a.csv")
+        assert [item.code for item in findings] == codes
+        assert float(run["sprung.az"].mean()) == pytest.approx(0.0, abs=1e-9)
+        for item in findings:
+            assert item.value == pytest.approx(5.0, rel=1e-6)
+            assert "0.5 V (5 m/s^2)" in item.message
+        stated, findings = conditioned(raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv")
+        assert findings == []
+        assert float(stated["sprung.az"].mean()) == pytest.approx(10.0 * offset, abs=1e-9)
+
+
+def test_uneven_time_is_refused_before_a_chain_takes_it_for_even() -> None:
+    time = np.arange(1000) * 1e-3
+    time[500:] += 0.4e-3
+    run = recording(time, {"sprung.az": (np.sin(time), "m/s^2", "")})
+    with pytest.raises(RecordingError, match=r"jitters by 40 %.*resample"):
+        apply_sensors(run, {"sprung.az": Sensor(low_pass="50 Hz")})
+    raw = recording(time, {"sprung.az.voltage": (np.sin(time), "V", "")})
+    with pytest.raises(RecordingError, match=r"jitters by 40 %.*resample"):
+        conditioned(raw, {"sprung.az": Sensor(sensitivity="1 V/g")}, where="a.csv")
+
+
+def test_a_range_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    sensor = Sensor(sensitivity="100 mV/(m/s^2)", range="4.321 V")
+    assert range_of("sprung.az", sensor) == pytest.approx((-43.21, 43.21))
+    monkeypatch.setattr(conditioning, "to_si", None)
+    assert range_of("sprung.az", sensor) == pytest.approx((-43.21, 43.21))
