@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, get_args
 
@@ -18,6 +19,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.schema import place_of, quantity_of, recording_of
 from jounce.ride.spectra import Spectrum, power_spectrum
+from jounce.variants.threads import processors
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -244,20 +246,23 @@ def integrate_acceleration(
     if motion == "periodic":
         samples = _whole_periods(used, length)
     time = used.run["time"].to_numpy()[:samples]
-    results, findings = [], [*used.findings, *still]
-    for name in moving:
+
+    def integrated(name: str) -> tuple[IntegratedChannel, list[Finding]]:
         values = used.values(name)[:samples]
-        spectrum = _density(used, values)
+        level = _level(values)
+        spectrum = _density(used, level)
         density = noise**2 if noise is not None else _floor(spectrum, used.highest_frequency(name))
         if motion == "random":
             chosen_corner, words = _corner(used, name, spectrum, corner)
-            findings += words
-            results.append(_random(used, name, values, spectrum, density, chosen_corner))
-        elif motion == "transient":
-            findings += _not_at_rest(used, name, values, density)
-            results.append(_transient(used, name, values, density))
-        else:
-            results.append(_periodic(used, name, values, density, length or samples / used.rate))
+            return _random(used, name, level, spectrum, density, chosen_corner), words
+        if motion == "transient":
+            return _transient(used, name, values, density), _not_at_rest(used, name, values, density)
+        return _periodic(used, name, values, density, length or samples / used.rate), []
+
+    with ThreadPoolExecutor(min(len(moving), processors())) as threads:  # nearly all of it is Fourier transforms
+        done = list(threads.map(integrated, moving))
+    results = [result for result, _ in done]
+    findings = [*used.findings, *still, *(word for _, words in done for word in words)]
     margin = max(1.0 / one.corner for one in results) if motion == "random" else 0.0
     valid = float(time[0]) + margin, float(time[-1]) - margin
     return Integration(used.name, motion, time, valid, tuple(results), tuple(findings), used)
@@ -278,17 +283,19 @@ def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list
     return found
 
 
-def _density(used: Measured, values: Array) -> Spectrum:
-    """Density of an acceleration, less its straight line, with pieces of a quarter of the record or 30 s."""
-    count = min(max(len(values) // 4, 32), int(30.0 * used.rate))
-    return power_spectrum(_level(values), used.rate, segment=count / used.rate)
+def _density(used: Measured, level: Array) -> Spectrum:
+    """Density of an acceleration without its straight line, with pieces of a quarter of the record or 30 s."""
+    count = min(max(len(level) // 4, 32), int(30.0 * used.rate))
+    return power_spectrum(level, used.rate, segment=count / used.rate)
 
 
 def _level(values: Array) -> Array:
     """Values less their straight line."""
     away: Array = values - values.mean()
-    steps = np.arange(values.size) - 0.5 * (values.size - 1)
-    away -= (float(steps @ away) / float(steps @ steps)) * steps
+    steps = np.arange(values.size, dtype=float)
+    steps -= 0.5 * (values.size - 1)
+    steps *= float(steps @ away) / float(steps @ steps)
+    away -= steps
     return away
 
 
@@ -354,21 +361,24 @@ def _gain(frequency: Array, corner: float) -> Array:
 
 
 def _random(
-    used: Measured, name: str, values: Array, spectrum: Spectrum, density: float, corner: float
+    used: Measured, name: str, level: Array, spectrum: Spectrum, density: float, corner: float
 ) -> IntegratedChannel:
     """Integrate over frequency, the record being continued by its mirror images."""
     from scipy import fft
 
-    pad = min(len(values) - 1, int(3.0 / corner * used.rate))
-    longer = np.pad(_level(values), pad, mode="reflect")
+    pad = min(len(level) - 1, int(3.0 / corner * used.rate))
+    longer = np.pad(level, pad, mode="reflect")
     size = fft.next_fast_len(len(longer), real=True)
-    frequency = fft.rfftfreq(size, 1.0 / used.rate)
-    s = 2j * np.pi * frequency
-    transform = fft.rfft(longer, size) * _gain(frequency, corner)
-    transform[1:] /= s[1:]
-    velocity = fft.irfft(transform, size)[pad : pad + len(values)]
-    transform[1:] /= s[1:]
-    displacement = fft.irfft(transform, size)[pad : pad + len(values)]
+    angular = fft.rfftfreq(size, 0.5 / np.pi / used.rate)
+    angular[0] = 1.0  # the gain is 0 there
+    both = np.empty((2, len(angular)), dtype=complex)
+    both[0] = fft.rfft(longer, size)
+    both[0] *= _gain(angular, 2.0 * np.pi * corner) / angular
+    both[0, 0] = 0.0
+    both[0] *= -1j
+    np.divide(both[0], angular, out=both[1])
+    both[1] *= -1j
+    velocity, displacement = fft.irfft(both, size, overwrite_x=True)[:, pad : pad + len(level)]
     f = spectrum.frequency[1:]
     lost = np.sum(spectrum.density[1:] / (2.0 * np.pi * f) ** 4 * (1.0 - _gain(f, corner)) ** 2) * spectrum.step
     return _channel(
