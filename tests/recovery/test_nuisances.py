@@ -1,4 +1,4 @@
-"""What records are wrong about beside the rig: an undeclared filter and a wrong speed, on benches of our own in NumPy.
+"""What records are wrong about beside the rig, on benches of our own in NumPy: a filter, a speed, motion at the start.
 
 The bench is a linear quarter car as four first-order equations over two half sines, propagated exactly at 20 kHz
 (SciPy's ``cont2discrete``, inputs as lines), the filter an analogue Butterworth beside it; jounce has no part in it.
@@ -25,8 +25,13 @@ FILTER = {"sprung.az.low_pass": ["15 Hz", "400 Hz"]}
 CHANNELS = ("sprung.az", "unsprung.az")
 
 
-def accelerations(spring: float, damper: float, tyre: float, speed: float, corner: float | None) -> Array:
-    """Body and wheel, m/s^2, at 1 kHz; the body's behind a low pass of that corner (Hz)."""
+def accelerations(
+    spring: float, damper: float, tyre: float, speed: float, corner: float | None, begun: Array | None = None
+) -> Array:
+    """Body and wheel, m/s^2, at 1 kHz; the body's behind a low pass of that corner (Hz).
+
+    ``begun`` are heights and velocities of body and wheel from rest when the record begins (m, m/s).
+    """
     body, wheel, k, c = 16.0, 5.0, spring * np.cos(ANGLE) ** 2, damper * np.cos(ANGLE) ** 2
     a = np.array(
         [
@@ -43,7 +48,7 @@ def accelerations(spring: float, damper: float, tyre: float, speed: float, corne
         x = speed * t - first
         road += np.where((x > 0.0) & (x < LENGTH), HEIGHT * np.sin(np.pi * x / LENGTH), 0.0)
     exact = signal.cont2discrete((a, b, a[2:], b[2:]), t[1], method="foh")
-    _, both = signal.dlsim((*exact[:4], t[1]), road[:, None])[:2]
+    _, both = signal.dlsim((*exact[:4], t[1]), road[:, None], x0=begun)[:2]
     if corner is not None:
         numerator, denominator, _ = signal.cont2discrete(
             signal.butter(2, 2.0 * np.pi * corner, analog=True), t[1], method="foh"
@@ -52,14 +57,17 @@ def accelerations(spring: float, damper: float, tyre: float, speed: float, corne
     return np.asarray(both[::FINE], dtype=float)
 
 
-def bench(seed: int, *, faster: float = 1.0, corner: float | None = None) -> tuple[dict[str, float], list[jn.FitTrial]]:
-    """True values and trials; ``faster`` times the stated speed is driven."""
+def bench(
+    seed: int, *, faster: float = 1.0, corner: float | None = None, begun: float = 0.0
+) -> tuple[dict[str, float], list[jn.FitTrial]]:
+    """True values and trials; ``faster`` times the stated speed is driven, from motion of some ``begun`` (m)."""
     draw = np.random.default_rng([5, seed])
     values = draw.uniform(19e3, 27e3), draw.uniform(100.0, 220.0), draw.uniform(115e3, 160e3)
     rig, trials = jn.load("kart-quarter-car"), []
     sensors = {name: jn.Sensor(datum="undeformed") for name in CHANNELS}
     for speed in SPEEDS:
-        both = accelerations(*values, speed * faster, corner)
+        start = begun * draw.standard_normal(4) * np.array([1.0, 0.5, 31.0, 90.0]) if begun else None
+        both = accelerations(*values, speed * faster, corner, start)
         both = both + 0.05 * both.std(axis=0) * draw.standard_normal(both.shape)
         record = {name: (both[:, i], "m/s^2", "") for i, name in enumerate(CHANNELS)}
         road = jn.Train(of=jn.HalfSine(height=HEIGHT, length=LENGTH), start=START, count=2, pitch=PITCH)
@@ -136,6 +144,32 @@ def test_a_wrong_speed_is_named_and_found(align: str | None, error: float) -> No
     assert list(freed.parameters) == list(FREE)
 
 
+def test_motion_at_the_start_is_named_and_found() -> None:
+    """What an earlier obstacle left: the values make up for it by more than 3 %."""
+    truth, trials = bench(5, begun=2e-4)
+    plain = fitted(trials)
+    assert off(plain, truth) > 0.03
+    (told,) = [found for found in plain.findings if found.code == "identify.begins_in_motion"]
+    assert told.value == pytest.approx(3e-4, rel=0.9)
+    freed = fitted(trials, nuisances={"start": "2 mm"})
+    assert off(freed, truth) < 4e-3
+    assert set(freed.offsets) == {trial.name for trial in trials}
+    assert [found.code for found in freed.findings if found.severity == "warning"] == []
+    for path, value in truth.items():
+        low, high = freed.parameters[path].interval
+        assert low < value < high, path
+
+
+def test_a_start_in_doubt_counts_in_intervals_that_hold_the_truth() -> None:
+    exact = {name: 0.0 for name in jn.Doubt.model_fields if name != "values"}
+    truth, trials = bench(6, begun=2e-4)
+    found = fitted(trials, doubt=jn.Doubt(**{**exact, "start": "0.5 mm"})).discrepancy
+    for path, value in truth.items():
+        law = found.parameters[path]
+        assert law.interval[0] < value < law.interval[1], path
+    assert max(law.shares["start"] for law in found.parameters.values()) > 0.1
+
+
 def test_records_without_a_fault_are_not_doubted() -> None:
     truth, trials = bench(3)
     found = fitted(trials)
@@ -173,6 +207,8 @@ def test_nuisances_that_cannot_be_found_are_refused() -> None:
         ({"speeds": "5 %"}, "nuisance"),
         ({"strut.force.low_pass": ["20 Hz", "40 Hz"]}, "nuisance"),
         ({"speed": "200 %"}, "not a share of the speed"),
+        ({"start": "5 %"}, "start"),
+        ({"start": "-2 mm"}, "not an amplitude"),
         ({"speed": ["1.7 m/s", "1.8 m/s"]}, "the bounds exclude the speed"),
         ({"sprung.az.low_pass": "5 %"}, "not a pair of bounds"),
         ({"sprung.az.low_pass": ["450 Hz", "900 Hz"]}, "no corners between the bounds"),

@@ -156,12 +156,18 @@ def _truth(campaign: Campaign, folder: Path, findings: list[Finding]) -> BenchTr
         return None
 
 
-_LEADING = ("strongly correlated", "from what the rig states", "ends on its bound", "contradicts the value measured")
+_LEADING = (
+    "identify.strongly_correlated",
+    "identify.mass_moved",
+    "identify.on_bound",
+    "identify.nuisance_on_bound",
+    "identify.bench_contradicted",
+)
 
 
 def _leading(findings: list[Finding]) -> list[Finding]:
     """What says that parameters are not those of the parts, first."""
-    return sorted(findings, key=lambda finding: not any(text in finding.message for text in _LEADING))
+    return sorted(findings, key=lambda finding: finding.code not in _LEADING)
 
 
 def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:
@@ -358,7 +364,7 @@ class Runner:
     findings: list[Finding]
     progress: Progress
     sensors: dict[int, Mapping[str, Sensor]] = field(default_factory=dict)
-    compared: dict[tuple[str, float | None, str], _Compared] = field(default_factory=dict)
+    compared: dict[tuple[str | float | None, ...], _Compared] = field(default_factory=dict)
     truth: BenchTruth | None = None
     records: Mapping[int, xr.Dataset] = field(default_factory=dict)
 
@@ -368,7 +374,10 @@ class Runner:
         rig = rig_of(entry, knowledge)
         added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
-        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load)
+        noise = item.facts.passages.noise if item.facts else {}
+        return FitTrial(
+            f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load, noise=noise
+        )
 
     def place_trials(self, knowledge: Knowledge) -> None:
         """Find where each record meets its obstacle, and let the model meet it then; see `jounce.campaign.belt`."""
@@ -492,7 +501,8 @@ class Runner:
         trials = []
         for number, item in self.loaded.items():
             lag = lags.get(f"trial {number}", None if lags else 0.0)
-            before, after = (self.comparison(item, known, lag) for known in (strategy.start, strategy.knowledge))
+            before = self.comparison(item, strategy.start, lag)
+            after = self.comparison(item, strategy.knowledge, lag, strategy.update.offsets.get(f"trial {number}"))
             trials.append(StrategyTrial(number, number in strategy.fitted_on, before[0], after[0], before[1], after[1]))
         return replace(strategy, trials=tuple(trials))
 
@@ -500,8 +510,9 @@ class Runner:
         """Compare every trial with the characterised model and with that of the last update."""
         final = strategies[-1].knowledge if strategies else start
         lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
+        offsets = {name: offset for strategy in strategies for name, offset in strategy.update.offsets.items()}
         aligned = any(entry.align for entry in self.campaign.update)
-        return [self._compare(entry, start, final, lags, aligned) for entry in self.campaign.trial]
+        return [self._compare(entry, start, final, lags, offsets, aligned) for entry in self.campaign.trial]
 
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
         """Compare a 3-D rig with the quarter car equivalent to it; None for a lumped rig."""
@@ -538,7 +549,13 @@ class Runner:
         return compare_peaks(f"trial {entry.number}", rig, lumped_from(rig), item.trial)
 
     def _compare(
-        self, entry: TrialEntry, start: Knowledge, final: Knowledge, lags: dict[str, float], aligned: bool
+        self,
+        entry: TrialEntry,
+        start: Knowledge,
+        final: Knowledge,
+        lags: Mapping[str, float],
+        offsets: Mapping[str, Mapping[str, float]],
+        aligned: bool,
     ) -> TrialResult:
         name = f"trial {entry.number}"
         item = self.loaded.get(entry.number)
@@ -549,14 +566,20 @@ class Runner:
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self.comparison(item, start, lag)
-        after, curves, notes, motion = self.comparison(item, final, lag)
+        after, curves, notes, motion = self.comparison(item, final, lag, offsets.get(name))
         self.findings += _without_repeats(notes)
         return TrialResult(entry, pitch, before, after, curves_before, curves, motion, item.facts)
 
-    def comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
-        """Compare a trial with a model; what has been compared is not run again. A failure is a finding."""
+    def comparison(
+        self, item: _Loaded, knowledge: Knowledge, lag: float | None, offset: Mapping[str, float] | None = None
+    ) -> _Compared:
+        """Compare a trial with a model; what has been compared is not run again. A failure is a finding.
+
+        ``offset`` is how far from equilibrium the trial begins, where that was found.
+        """
         trial = self.fit_trial(item, knowledge)
-        key = (trial.name, lag, trial.rig.model_dump_json())
+        trial = trial.in_motion(offset) if offset else trial
+        key = (trial.name, lag, trial.rig.model_dump_json(), *trial.offset.values())
         if key not in self.compared:
             try:
                 self.compared[key] = compare_trial(trial, lag)

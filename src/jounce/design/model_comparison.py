@@ -258,9 +258,9 @@ def _rows(
             "N/m",
             found.wheel_rate,
             rate,
-            f"3-D: {found.wheel_rate_spring:.5g} from the spring's rate, {found.wheel_rate_preload:+.4g} from its "
-            f"force of {found.spring_force:.4g} N where the motion ratio changes, {found.wheel_rate_weight:+.3g} from "
-            f"weights{across}.",
+            f"3-D: {1e-3 * found.wheel_rate_spring:.4g} N/mm from the spring's rate, "
+            f"{1e-3 * found.wheel_rate_preload:+.3g} from its force of {found.spring_force:.4g} N where the motion ratio "
+            f"changes, {1e-3 * found.wheel_rate_weight:+.2g} from weights{across}.",
         ),
         ModelDifference(
             "damping at the wheel",

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +28,7 @@ from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, es
 from jounce.identify.extended_rig import ExtendedRig, Nuisance, RideExtent
 from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
-from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
+from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED, START, begins_unknown, start_motions
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import off_together, scale_of_masses, static_load
 from jounce.kernel.engine import Status
@@ -41,6 +41,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import Solution
+from jounce.simulation.solve import start_offset
 
 Mask = NDArray[np.bool_]
 FEWEST_TRIALS = 3
@@ -190,6 +191,23 @@ class _State:
     lags: Array
 
 
+class _OwnDoubt(NamedTuple):
+    """What is in doubt of each trial by itself: its name, the group it counts in, and one standard deviation (SI)."""
+
+    name: str
+    group: str
+    deviation: float
+
+
+def _starts(trial: FitTrial) -> dict[str, Mapping[str, float]]:
+    """Natural vibrations at the start of a trial by name: states (SI) for 1 m, when displaced and when moving."""
+    return {
+        f"{START} {i} {way}": shape
+        for i, motion in enumerate(start_motions(trial), 1)
+        for way, shape in (("displaced", motion.displaced), ("moving", motion.moving))
+    }
+
+
 class _Run:
     """One trial with its richer model, ready to be simulated for any state."""
 
@@ -210,6 +228,8 @@ class _Run:
         first = float(trial.segments().edges[1]) if not course and len(trial.segments().edges) > 2 else 0.0
         self.passing = (first, trial.duration if course else max(trial.end(), first + 1e-3))
         self._roads: dict[float, list[Segments]] = {}
+        self.begins_unknown = begins_unknown(prepared.source)
+        self.starts = _starts(prepared.source) if problem.doubt.start > 0.0 else {}
 
     def numbers(self, state: _State) -> dict[str, float]:
         return self.all.richer.numbers(self.values, self.fitted(state.theta), state.xi)
@@ -275,13 +295,23 @@ class _Run:
         ratio = float(np.cos(self.values.get("strut.angle", 0.0)))
         return {"presliding": states.sliding(states.velocity), "arms": -states.acceleration() / ratio**2}
 
+    def _begun(self, inputs: Mapping[str, float]) -> dict[str, float]:
+        """State to how far from equilibrium the run begins, SI: as stated, and what is in doubt of it."""
+        offset = dict(self.prepared.source.offset)
+        if self.begins_unknown:
+            for name, shape in self.starts.items():
+                for state, value in shape.items():
+                    offset[state] = offset.get(state, 0.0) + inputs.get(name, 0.0) * value
+        return offset if any(offset.values()) else {}
+
     def simulate(self, compiled: Compiled, numbers: Mapping[str, float], inputs: Mapping[str, float]) -> Solution:
         values, arms = {**self.base, **numbers}, inputs.get("arms", 0.0)
         if arms:
             values |= {path: values[path] + arms for path in ("sprung.mass", "unsprung.mass")}
         p = compiled.parameter_values(values)
         signals = self.signals(inputs)
-        solution = solve(compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance)
+        offset = start_offset(compiled, self._begun(inputs))
+        solution = solve(compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance, offset=offset)
         if solution.status is not Status.COMPLETED:
             raise SimulationError(
                 "the richer model diverged", where=self.prepared.source.name, found=solution.status.help
@@ -313,7 +343,8 @@ class ModelErrorProblem:
         found_beside: Mapping[str, float] | None = None, richer: ExtendedRig | None = None,
     ) -> None:  # fmt: skip
         self.free, self.settings, self.beside = tuple(free), settings, found_beside or {}
-        self.doubt = doubt = settings.doubts or Doubt()
+        doubt = settings.doubts or Doubt()
+        self.doubt = doubt = doubt.changed(start=max(doubt.start, self.beside.get(START, 0.0)))
         self.align, self.tolerance = settings.fits_lags, settings.tolerance
         prepared = [prepare_trial(trial, self.free, settings) for trial in trials]
         prepared = [
@@ -332,10 +363,12 @@ class ModelErrorProblem:
         self.nuisances = [*self.richer.nuisances, *self._inputs(), *self._sensors()]
         self.place = {nuisance.name: i for i, nuisance in enumerate(self.nuisances)}
         self.own = [
-            (name, deviation)
+            _OwnDoubt(name, name, deviation)
             for name, deviation in (("speed", doubt.speed), ("slowing", doubt.slowing))
             if deviation > 0.0 and any(run.road for run in self.runs)
         ]
+        if doubt.start > 0.0:
+            self.own += [_OwnDoubt(name, START, doubt.start) for name in self.runs[0].starts]
         self.priors, known = np.zeros((len(free), 2)), priors or {}
         for i, item in enumerate(free):
             if item.path in known:
@@ -401,7 +434,7 @@ class ModelErrorProblem:
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
         """Doubts of a trial's inputs by name, SI."""
         found = {name: self.value(name, state.xi) for name in _INPUTS}
-        return found | {name: d * float(state.own[trial, j]) for j, (name, d) in enumerate(self.own)}
+        return found | {own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)}
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
@@ -457,9 +490,11 @@ class ModelErrorProblem:
         base = run.simulate(plain, numbers, inputs)
         found[""] = base, 0.0
         deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
-        deviations |= dict(self.own) if run.road else {}
+        deviations |= {own.name: own.deviation for own in self.own if run.road or own.group == START}
         for name, deviation in deviations.items():
             if (name == "contact_patch" and not run.patched) or (name == "speeds" and not run.road):
+                continue
+            if name in run.starts and not run.begins_unknown:
                 continue
             changed = {**inputs, name: inputs[name] + _STEP * deviation}
             found[name] = run.simulate(plain, numbers, changed), 1.0 / _STEP
@@ -497,7 +532,7 @@ class ModelErrorProblem:
             if key in names:
                 common[:, names[key]] = shifted[:, k]
             else:
-                own[:, [name for name, _ in self.own].index(key)] = shifted[:, k]
+                own[:, [one.name for one in self.own].index(key)] = shifted[:, k]
         bias = f"{channel.name} bias"
         if bias in names and channel.datum != "free offset":
             common[:, names[bias]] = channel.seen(np.full(len(table), self.nuisances[self.place[bias]].deviation))
@@ -529,8 +564,10 @@ class ModelErrorProblem:
         """Lay the blocks out for steps: lags taken out, or held where they are not fitted."""
         p, q, trials = len(self.free), len(self.nuisances), len(self.runs)
         own = len(self.own) + (0 if self.align else 1)
-        rows = []
+        rows: list[tuple[str, Array, Array, NDArray[np.int64]]] = []
+        stated: list[float | None] = []
         for trial, run in enumerate(self.runs):
+            noises = {channel.name: channel.noise for channel in run.channels}
             group = [block for block in blocks if block.trial == trial]
             unsure = _LAG_UNSURE / run.prepared.rate
             extra = [block.own if self.align else np.column_stack([block.own, unsure * block.lag]) for block in group]
@@ -544,12 +581,13 @@ class ModelErrorProblem:
             for block in group:
                 part = whole[at : at + len(block.residual)]
                 rows.append((block.channel, part[:, :-1], part[:, -1], index))
+                stated.append(noises[block.channel])
                 at += len(part)
         dim = p + q + own * trials
         away = np.concatenate([np.zeros(p), state.xi, self._own_now(state).ravel()])
         prior = np.ones(dim)
         prior[:p], away[:p] = self.priors[:, 1] ** 2, state.theta - self.priors[:, 0]
-        return _System(self.names, rows, prior, away, self._weighed(state, dim))
+        return _System(self.names, rows, prior, away, self._weighed(state, dim), stated)
 
     def _weighed(self, state: _State, dim: int) -> Array:
         """Wheel loads at rest that were measured: how far each is from the model's, and its slopes, over its doubt.
@@ -603,6 +641,7 @@ class ModelErrorProblem:
 class _System:
     """Linear equations of one step: rows by channel, prior precision of the unknowns and how far they are from it.
 
+    ``stated`` is the standard deviation of the noise of each row (SI) where repeated passages tell it, and
     ``weighed`` has a row for each combination of unknowns that was measured by itself, in its standard deviations:
     slopes by the unknowns, then what is left of it.
     """
@@ -612,9 +651,11 @@ class _System:
     prior: Array
     away: Array
     weighed: Array
+    stated: Sequence[float | None] = ()
 
     def __post_init__(self) -> None:
         dim = len(self.prior)
+        self.stated = self.stated or [None] * len(self.rows)
         self.normal = {name: (np.zeros((dim, dim)), np.zeros(dim)) for name in self.names}
         for name, columns, residual, index in self.rows:
             self.normal[name][0][np.ix_(index, index)] += columns.T @ columns
@@ -663,9 +704,9 @@ class _System:
         noise: dict[str, list[float]] = {name: [] for name in self.names}
         energy: dict[str, list[float]] = {name: [] for name in self.names}
         square: dict[str, list[float]] = {name: [] for name in self.names}
-        for name, columns, residual, index in self.rows:
+        for (name, columns, residual, index), stated in zip(self.rows, self.stated, strict=True):
             left = residual - columns @ step[index]
-            white = noise_variance(left)
+            white = noise_variance(left) if stated is None else stated**2
             mean = float(np.mean(left**2))
             noise[name].append(white)
             square[name].append(mean)
@@ -936,7 +977,7 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
     }
     correlation = correlation_of(covariance[:p, :p])
     counted: dict[str, int] = {}
-    for group in (*(nuisance.group for nuisance in one.nuisances), *(name for name, _ in one.own)):
+    for group in (*(nuisance.group for nuisance in one.nuisances), *(own.group for own in one.own)):
         counted[group] = counted.get(group, 0) + 1
     return Discrepancy(
         parameters,
@@ -1000,7 +1041,7 @@ def _groups(one: ModelErrorProblem, size: int) -> dict[str, Mask]:
     """Mask of the unknowns of each group of doubts."""
     p, q = len(one.free), len(one.nuisances)
     own = (size - p - q) // max(len(one.runs), 1)
-    names = [name for name, _ in one.own] + ([] if one.align else ["lag"])
+    names = [doubt.group for doubt in one.own] + ([] if one.align else ["lag"])
     masks: dict[str, Mask] = {}
     for i, nuisance in enumerate(one.nuisances):
         masks.setdefault(nuisance.group, np.zeros(size, dtype=bool))[p + i] = True

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
-from jounce.core.units import NonNegativeForce, Unit
+from jounce.core.units import NonNegativeForce, NonNegativeLength, Unit
 
 Share = Annotated[float, Unit("1", at_least=0.0)]
 
@@ -71,6 +71,9 @@ class Doubt(Description):
         channels without a stated one.
     bias : float
         Constant error of a sensor, as a share (1) of the standard deviation of its record.
+    start : float
+        How far each natural vibration may go when a record begins, m: 0 where all begin at rest, or on a belt whose
+        loops are simulated.
     wheel_load : float
         Wheel load at rest where it was measured, as a share (1) of it.
 
@@ -102,6 +105,7 @@ class Doubt(Description):
     corner: Share = 0.15
     bandwidth: Annotated[float, Unit("s", at_least=0.0)] = 0.0005
     bias: Share = 0.03
+    start: NonNegativeLength = 0.0
     wheel_load: Share = 0.005
 
 

@@ -6,7 +6,7 @@ Scaling: ``p_i = p_i0 + half_range_i * s_i`` with ``s_i`` from -1 to +1 between 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -40,6 +40,7 @@ from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
+from jounce.simulation.solve import start_offset
 
 _FEWEST = 2  # samples of a recording
 _FREE_LAG = 1.0 - 1e-9
@@ -70,6 +71,11 @@ class FitTrial(Shown):
     wheel_load : float or None
         Force of the wheel on the ground that was measured at rest, with what was added, N; of rigs with one wheel. An
         interval that counts model error takes the scale of the masses from it.
+    offset : dict
+        State to how far from equilibrium the run begins (SI), as for :func:`jounce.simulate`: at rest by default.
+    noise : dict
+        Channel to the standard deviation of its noise (SI) where the scatter of repeated passages tells it; of other
+        channels it is what the fit leaves at high frequencies.
     """
 
     name: str
@@ -79,12 +85,23 @@ class FitTrial(Shown):
     sensors: Mapping[str, Sensor] = field(default_factory=dict)
     added: Mapping[str, float] = field(default_factory=dict)
     wheel_load: float | None = None
+    offset: Mapping[str, float] = field(default_factory=dict)
+    noise: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def rig_without(self) -> Rig:
         """The rig without what was added."""
         values = self.rig.parameters()
         return self.rig.with_changes({path: values[path] - more for path, more in self.added.items()})
+
+    def in_motion(self, offset: Mapping[str, float]) -> FitTrial:
+        """Give the trial begun away from equilibrium (SI by state): no sensor shows its zero then."""
+        sensors = dict(self.sensors)
+        for name in map(str, self.measured.data_vars):
+            sensor = sensors.get(name, Sensor())
+            if sensor.datum in (None, "rest"):
+                sensors[name] = sensor.changed(datum="free offset")
+        return replace(self, offset=offset, sensors=sensors)
 
     def __post_init__(self) -> None:
         check_rig(self.rig)
@@ -131,6 +148,10 @@ class Unknown(Protocol):
         """Its start and bounds."""
         ...
 
+    def concerns(self, trial: FitTrial) -> bool:
+        """Whether it changes anything of a trial."""
+        ...
+
     def applied(self, trial: FitTrial, found: float) -> FitTrial:
         """The trial with this value."""
         ...
@@ -140,7 +161,8 @@ class Unknown(Protocol):
 class Channel:
     """One compared channel of one trial, ready to be evaluated.
 
-    ``frozen`` are samples that tell nothing (see `frozen_samples`): ``measured`` is a line across them.
+    ``frozen`` are samples that tell nothing (see `frozen_samples`): ``measured`` is a line across them. ``noise`` is
+    the standard deviation of its noise where that is known.
     """
 
     name: str
@@ -151,6 +173,7 @@ class Channel:
     weight: float
     datum: Datum = "undeformed"
     frozen: NDArray[np.bool_] | None = None
+    noise: float | None = None
 
     def offset(self, table: Array, slope: Array) -> tuple[Array, Array]:
         """Table and slope by the lag, with a free offset as the best constant: as if it were fitted, too.
@@ -198,9 +221,12 @@ class Prepared:
             p[[names.index(path) for path in free]] = self.own(values)
         rig, trial = self.source.rig, self.source.trial
         signals, numbers = self.tracks(), dict(zip(names, p.tolist(), strict=True))
-        solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
+        offset = start_offset(self.compiled, self.source.offset)
+        solution = None
+        if offset is None:  # reduced corners start at rest
+            solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
         if solution is None:
-            solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
+            solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance, offset=offset)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
         return solution
@@ -377,25 +403,35 @@ class UpdateProblem:
 
     def speed_slope(self, scaled: Array) -> Array:
         """Derivative of the residuals by the logarithm of the speed of all trials, with the lags kept."""
+        return self.slope(scaled, lambda trial, more: replace(trial, trial=trial.trial.at_speed(1.0 + more)), _ASIDE)
+
+    def slope(self, scaled: Array, change: Callable[[FitTrial, float], FitTrial | None], step: float) -> Array:
+        """Derivative of the residuals by a change of the trials, with the lags kept.
+
+        ``change`` gives a trial with so much more (``step`` to either side), or None where it does not concern it.
+        """
         values, lags, found = self.values(scaled), self.residuals(scaled).lags, list[Array]()
         for trial, lag in zip(self.trials, lags, strict=True):
             source, sides = trial.source, []
+            if change(source, step) is None:
+                found += [np.zeros(len(channel.measured)) for channel in trial.channels]
+                continue
             for one, place in zip(self.nuisances, scaled[len(self.free) :], strict=True):
                 source = one.applied(source, one.free.value(place))
-            for factor in (1.0 + _ASIDE, 1.0 - _ASIDE):
-                moved = replace(trial, source=replace(source, trial=source.trial.at_speed(factor)))
+            for more in (step, -step):
+                moved = replace(trial, source=change(source, more) or source)
                 solution = moved.solve(values, self.tolerance)
                 tables = [moved.table(channel, solution)[:, :1] for channel in trial.channels]
                 sides.append([shift_signals(table, trial.rate, lag)[:, 0] for table in tables])
             for channel, above, below in zip(trial.channels, *sides, strict=True):
-                slope = (above - below) / (2.0 * _ASIDE)
+                slope = (above - below) / (2.0 * step)
                 slope = slope - (slope.mean() if channel.datum == "free offset" else 0.0)
                 found.append(-channel.weight * channel.seen(slope))
         return np.concatenate(found)
 
     def _tables(self, trial: Prepared, values: Array, scaled: Array) -> list[Array]:
         """Readings of the channels, and their derivatives by the parameters and, scaled, by the nuisances."""
-        solutions: dict[float | None, Solution] = {}
+        solutions: dict[tuple[float | None, ...], Solution] = {}
 
         def tables(at: Array) -> list[Array]:
             source = trial.source
@@ -403,15 +439,18 @@ class UpdateProblem:
                 source = one.applied(source, one.free.value(place))
             channels = [replace(channel, sensor=source.sensors.get(channel.name)) for channel in trial.channels]
             moved = replace(trial, source=source) if self.nuisances else trial
-            if source.trial.speed not in solutions:
-                solutions[source.trial.speed] = moved.solve(values, self.tolerance)
-            return [moved.table(channel, solutions[source.trial.speed]) for channel in channels]
+            run = (source.trial.speed, *source.offset.values())
+            if run not in solutions:
+                solutions[run] = moved.solve(values, self.tolerance)
+            return [moved.table(channel, solutions[run]) for channel in channels]
 
         found = tables(scaled)
-        for i in range(len(self.nuisances)):
-            aside = _ASIDE * np.eye(len(self.nuisances))[i]
-            above, below = tables(scaled + aside), tables(scaled - aside)
-            slopes = [(one[:, :1] - other[:, :1]) / (2.0 * _ASIDE) for one, other in zip(above, below, strict=True)]
+        for nuisance, aside in zip(self.nuisances, _ASIDE * np.eye(len(self.nuisances)), strict=True):
+            if nuisance.concerns(trial.source):
+                above, below = tables(scaled + aside), tables(scaled - aside)
+                slopes = [(one[:, :1] - other[:, :1]) / (2.0 * _ASIDE) for one, other in zip(above, below, strict=True)]
+            else:
+                slopes = [np.zeros((len(table), 1)) for table in found]
             found = [np.hstack([table, slope]) for table, slope in zip(found, slopes, strict=True)]
         return found
 
@@ -559,7 +598,8 @@ def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapp
     bias = 0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
     datum = (sensor and sensor.datum) or "undeformed"
     weight = _weight(weights, name, measured)
-    return Channel(name, column, measured, sensor, bias, weight, datum, frozen if frozen.any() else None)
+    held = frozen if frozen.any() else None
+    return Channel(name, column, measured, sensor, bias, weight, datum, held, trial.noise.get(name))
 
 
 def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:

@@ -26,12 +26,16 @@ _LOUD, _ALIKE, _MATTERS = 2.0, 4.0, 0.01  # times the noise, samples of correlat
 
 @dataclass(frozen=True)
 class LeftOver:
-    """One channel of one trial beside what the updated model reads there, shape (n,) each, SI; ``rate`` in Hz."""
+    """One channel of one trial beside what the updated model reads there, shape (n,) each, SI; ``rate`` in Hz.
+
+    ``noise`` is the standard deviation of its noise where that is known.
+    """
 
     trial: str
     measured: Array
     read: Array
     rate: float
+    noise: float | None = None
 
     @property
     def rest(self) -> Array:
@@ -122,7 +126,8 @@ def _delay(
 
 def beyond_noise(parts: Sequence[LeftOver]) -> float | None:
     """How often the noise of the records their rests are, where a pattern is left that matters; None else."""
-    noise = float(np.sqrt(np.mean([noise_of(part.measured) ** 2 for part in parts])))
+    noises = [noise_of(part.measured) if part.noise is None else part.noise for part in parts]
+    noise = float(np.sqrt(np.mean(np.square(noises))))
     rest = float(np.sqrt(np.mean(np.concatenate([part.rest for part in parts]) ** 2)))
     size = float(np.sqrt(np.mean(np.concatenate([part.measured - part.measured.mean() for part in parts]) ** 2)))
     alike = float(np.median([correlation_time(part.rest) for part in parts]))

@@ -1,4 +1,4 @@
-"""What a record can be wrong about that a rig knows nothing of: the speed of a trial, a filter before the logger.
+"""What a record can be wrong about that a rig knows nothing of: speed, a filter before the logger, motion at its start.
 
 Left alone, the fitted values make up for it. Freed, it is found with them; what a fit leaves tells which one to free.
 """
@@ -16,8 +16,11 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, FreeParameter
 from jounce.recordings.sensors import Sensor
+from jounce.simulation.compiled import compile_rig
+from jounce.simulation.free_motion import FreeMotion, free_motions
+from jounce.simulation.problem import excitation, known_actuator
 
-SPEED, LOW_PASS = "speed", ".low_pass"
+SPEED, LOW_PASS, START = "speed", ".low_pass", "start"
 FASTEST = 0.45
 """Share of the sample rate: corners above it cannot be told from none."""
 
@@ -49,9 +52,14 @@ class SearchedNuisance:
         free = self.free
         return free.half_range / free.initial if self.name == SPEED else 0.5 * math.log(free.upper / free.lower)
 
-    def told(self, found: float) -> float:
-        """The value in its unit: what is searched, or one over it."""
-        return found if self.name == SPEED else 1.0 / found
+    @property
+    def is_inverse(self) -> bool:
+        """Whether one over its value is searched."""
+        return self.name != SPEED
+
+    def concerns(self, _trial: FitTrial) -> bool:
+        """Every trial."""
+        return True
 
     def applied(self, trial: FitTrial, found: float) -> FitTrial:
         """The trial with this value."""
@@ -62,21 +70,105 @@ class SearchedNuisance:
         return replace(trial, sensors={**trial.sensors, channel: sensor})
 
 
+@dataclass(frozen=True)
+class SearchedStart:
+    """How far one natural vibration goes when the record of one trial begins: an amplitude in m.
+
+    Attributes
+    ----------
+    name : str
+        E.g. ``"trial 3: start, 5.05 Hz displaced"``.
+    trial : str
+        Name of the trial.
+    shape : mapping of str to float
+        State to what it is for an amplitude of 1 m, SI.
+    free : FreeParameter
+        Start (0) and bounds, m.
+    """
+
+    name: str
+    trial: str
+    shape: Mapping[str, float]
+    free: FreeParameter
+    unit: str = "m"
+    is_inverse: bool = False
+
+    @property
+    def width(self) -> float:
+        """Half of what its bounds allow, m."""
+        return self.free.half_range
+
+    def concerns(self, trial: FitTrial) -> bool:
+        """The trial it is of."""
+        return trial.name == self.trial
+
+    def applied(self, trial: FitTrial, found: float) -> FitTrial:
+        """The trial begun so far from equilibrium."""
+        if not self.concerns(trial):
+            return trial
+        offset = {state: trial.offset.get(state, 0.0) + found * value for state, value in self.shape.items()}
+        return replace(trial, offset=offset)
+
+
+def begins_unknown(trial: FitTrial) -> bool:
+    """Whether motion before the record could be seen in it: that of a belt's loops is simulated."""
+    return float(trial.measured["time"][0]) <= _AT_ONCE
+
+
+_AT_ONCE = 0.05
+"""Seconds of simulation before a record, above which its start is no longer that of the run."""
+
+
+def start_motions(trial: FitTrial) -> list[FreeMotion]:
+    """Natural vibrations of the rig of a trial, at rest on the road where it begins."""
+    compiled = compile_rig(trial.rig, actuator=known_actuator(trial.trial))
+    signals = excitation(compiled.facts, trial.rig, trial.trial)
+    heights = [float(signal.evaluate(np.zeros(1))[0][0]) for signal in signals]
+    still = compiled.inputs(dict(zip(compiled.facts.tracks, heights, strict=True)))
+    return free_motions(compiled, compiled.parameter_values(trial.rig.parameters()), still)
+
+
+def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[SearchedStart]:
+    """Amplitudes of each trial's vibrations, within plus and minus what is given (m)."""
+    largest = to_si(given, "m", where=place)
+    if largest <= 0.0:
+        raise FitError("not an amplitude", where=place, found=given, allowed='a length above zero, e.g. "2 mm"')
+    found = []
+    for trial in filter(begins_unknown, trials):
+        for motion in start_motions(trial):
+            for way, shape in (("displaced", motion.displaced), ("moving", motion.moving)):
+                name = f"{trial.name}: {START}, {motion.frequency:.3g} Hz {way}"
+                found.append(SearchedStart(name, trial.name, shape, FreeParameter(name, 0.0, -largest, largest)))
+    if not found:
+        raise FitError(
+            "no trial begins where its start could be seen",
+            where=place,
+            found="belts that have been running, or rigs that do not swing",
+            hint="Leave it out.",
+        )
+    return found
+
+
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
     """The sensor with a low pass of this corner (Hz)."""
     return (sensor or Sensor()).changed(low_pass=corner)
 
 
-def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: str) -> tuple[SearchedNuisance, ...]:
-    """Read the nuisances and their bounds: a share of the stated speed, or two corners in Hz.
+def nuisances_of(
+    given: Mapping[str, Any], trials: Sequence[FitTrial], where: str
+) -> tuple[SearchedNuisance | SearchedStart, ...]:
+    """Read the nuisances and their bounds: a share of the stated speed, two corners in Hz, or a largest amplitude.
 
     Corners start in the middle of their bounds until a better start is known.
     """
     channels = [str(name) for name in trials[0].measured.data_vars]
     rate = min(1.0 / float(np.median(np.diff(trial.measured["time"].to_numpy()))) for trial in trials)
-    found = []
+    found: list[SearchedNuisance | SearchedStart] = []
     for name, bounds in given.items():
         place = f"{where}: {name}"
+        if name == START:
+            found += _starts_of(bounds, trials, place)
+            continue
         if name == SPEED:
             speeds = [trial.trial.speed for trial in trials if trial.trial.speed is not None]
             if not speeds:
@@ -86,7 +178,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
             continue
         channel = name.removesuffix(LOW_PASS)
         if not name.endswith(LOW_PASS) or channel not in channels:
-            raise unknown(name, [SPEED, *(f"{one}{LOW_PASS}" for one in channels)], what="nuisance", where=where)
+            raise unknown(name, [SPEED, START, *(f"{one}{LOW_PASS}" for one in channels)], what="nuisance", where=where)
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
             raise FitError("not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]')
         low, high = (to_si(value, "Hz", where=place) for value in bounds)

@@ -68,6 +68,9 @@ class Passages(Shown):
         Standard deviation between loops at each instant, in the unit of each channel.
     repeatability : dict
         Channel to the r.m.s. scatter between loops over the r.m.s. of the average (1).
+    noise : dict
+        Channel to the standard deviation of the noise of the average, in its unit: that of white noise as dense as the
+        differences between loops are at the frequencies of the signal.
     odd : tuple of int
         Passages (counted from 1) whose loop is unlike the others and was left out of the average.
     findings : tuple of Finding
@@ -81,6 +84,7 @@ class Passages(Shown):
     loop: xr.Dataset | None = None
     scatter: xr.Dataset | None = None
     repeatability: dict[str, float] = field(default_factory=dict)
+    noise: dict[str, float] = field(default_factory=dict)
     odd: tuple[int, ...] = ()
     findings: tuple[Finding, ...] = ()
 
@@ -402,6 +406,7 @@ def _looped(
         _recorded(data, names, mean, period, passages=int(kept.sum())),
         _recorded(data, names, scatter, period, passages=int(kept.sum())),
         repeat,
+        dict(zip(names, _noise_of_average(loops[kept]), strict=True)),
         odd,
         tuple(findings),
     )
@@ -425,6 +430,20 @@ def _cut_loops(
     return np.array(loops), np.array(numbers, dtype=int)
 
 
+def _noise_of_average(loops: Array) -> list[float]:
+    """Standard deviation of the noise of the average of loops, a value a channel; loops are (loops, channels, samples).
+
+    A fit counts its samples as independent. What differs from loop to loop is hardly white (speed, pressure, what is
+    left of earlier loops), so its density counts where the signal has its power.
+    """
+    count, _, samples = loops.shape
+    mean = loops.mean(axis=0)
+    power = np.abs(np.fft.rfft(mean - mean.mean(axis=1, keepdims=True), axis=1)) ** 2
+    apart = np.sum(np.abs(np.fft.rfft(loops - mean, axis=2)) ** 2, axis=0) / (samples * (count - 1))
+    within = np.sum(power * apart, axis=1) / np.maximum(np.sum(power, axis=1), 1e-300)
+    return [float(value) for value in np.sqrt(within / count)]
+
+
 def one_loop(found: Passages, measured: xr.Dataset, number: int, *, channels: Sequence[str], name: str) -> Passages:
     """Give the same passages with the loop of one of them (counted from 1) in place of the average.
 
@@ -446,7 +465,9 @@ def one_loop(found: Passages, measured: xr.Dataset, number: int, *, channels: Se
             allowed=", ".join(map(str, whole)) or "none",
         )
     loop = _recorded(measured, channels, loops[whole.index(number)], period)
-    return replace(found, loop=loop, scatter=None, repeatability={})
+    alone = math.sqrt(found.loop.attrs["passages"]) if found.loop is not None else 1.0
+    noise = {channel: alone * value for channel, value in found.noise.items()}
+    return replace(found, loop=loop, scatter=None, repeatability={}, noise=noise)
 
 
 def _recorded(data: xr.Dataset, names: Sequence[str], values: Array, period: float, **attributes: Any) -> xr.Dataset:
@@ -476,4 +497,4 @@ def averaged_trial(trial: FitTrial, found: Passages) -> FitTrial:
         raise FitError("no loop of a belt was found", where=trial.name)
     driven, begin = running_trial(trial.rig, road, found.speed)
     loop = found.loop.assign_coords(time=("time", found.loop["time"].to_numpy() + begin, {"units": "s"}))
-    return FitTrial(trial.name, trial.rig, driven, loop, trial.sensors, trial.added, trial.wheel_load)
+    return replace(trial, trial=driven, measured=loop, noise=found.noise)

@@ -27,7 +27,7 @@ from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import FEWEST_TRIALS, noise_variance, readings_of
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
-from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
 from jounce.identify.log_density import (
     Convergence,
     LogDensity,
@@ -242,7 +242,7 @@ def update_with_density(
         density = NoiseDensity(problem, best, -np.ones(size), np.ones(size), lowest)
         basis = Basis(
             tuple(trials), limits, None, density.covariance, values, settings,
-            _levels_of(problem, best, noise_variance), _levels_of(problem, best, lambda one: float(np.mean(one**2))),
+            _levels_of(problem, best, _noise_level), _levels_of(problem, best, lambda _, one: float(np.mean(one**2))),
         )  # fmt: skip
     return UpdatedDensity(update, density, basis, tuple(findings))
 
@@ -460,14 +460,18 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
         raise FitError("two trials of one name", where=where, found=twice, hint="Give each a name of its own.")
 
 
-def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Array], float]) -> dict[str, float]:
+def _noise_level(channel: Channel, residual: Array) -> float:
+    return noise_variance(residual) if channel.noise is None else channel.noise**2
+
+
+def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]) -> dict[str, float]:
     """Standard deviation (SI) by channel, from a power of the residuals."""
     found: dict[str, list[float]] = {}
     residuals = problem.residuals(best)
     channels = [channel for trial in problem.trials for channel in trial.channels]
     for channel, block in zip(channels, residuals.blocks, strict=True):
         if channel.weight > 0.0:
-            found.setdefault(channel.name, []).append(power(residuals.vector[block] / channel.weight))
+            found.setdefault(channel.name, []).append(power(channel, residuals.vector[block] / channel.weight))
     return {name: float(np.sqrt(np.mean(values))) for name, values in found.items()}
 
 

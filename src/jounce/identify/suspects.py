@@ -5,6 +5,7 @@ Each suspect is tried as a change of the readings, or as one more unknown, after
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,8 +15,8 @@ import numpy as np
 
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
-from jounce.identify.fit_problem import Residuals, UpdateProblem
-from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
+from jounce.identify.fit_problem import FitTrial, Residuals, UpdateProblem
+from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED, START, begins_unknown, start_motions
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.recordings.signals import shift_signals
 
@@ -59,14 +60,14 @@ class WeightedResiduals:
         """
         if self.size < _MATTERS * self.energy:
             return 0.0, 0.0
-        beside, left = (one - self._fitted @ (self._fitted.T @ one) for one in (slope, self.vector))
+        beside, left = (one - self.fitted @ (self.fitted.T @ one) for one in (slope, self.vector))
         length, pull = float(beside @ beside), float(beside @ left)
         if length <= 0.0:
             return 0.0, 0.0
         return -pull / length, 1.0 - (float(left @ left) - pull**2 / length) / self.size
 
     @cached_property
-    def _fitted(self) -> Array:
+    def fitted(self) -> Array:
         """Orthonormal directions of the residuals that what was fitted can change."""
         directions, sizes, _ = np.linalg.svd(self.jacobian, full_matrices=False)
         return np.asarray(directions[:, sizes > _SEEN * sizes.max(initial=0.0)])
@@ -168,6 +169,49 @@ def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | N
     return share, finding("identify.speed_off", SPEED, error, excess=error, share=share)
 
 
+def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | None:
+    """Tell whether records that begin in motion would explain most of what is left.
+
+    ``slopes`` are those by the amplitude of each natural vibration of each trial (m).
+    """
+    if not slopes.size or rest.size < _MATTERS * rest.energy:
+        return None
+    beside, left = (one - rest.fitted @ (rest.fitted.T @ one) for one in (slopes, rest.vector))
+    amplitudes = np.linalg.lstsq(beside, -left, rcond=_SEEN)[0]
+    after = left + beside @ amplitudes
+    share = 1.0 - float(after @ after) / rest.size
+    if share < _EXPLAINS_FREELY:
+        return None
+    largest = float(np.max(np.abs(amplitudes)))
+    return share, finding(
+        "identify.begins_in_motion", START, largest, size=largest, wide=math.ceil(4e3 * largest), share=share
+    )
+
+
+def _start_slopes(problem: UpdateProblem, scaled: Array) -> Array:
+    """Derivatives of the residuals by the amplitudes of the vibrations that trials may begin with, a column each."""
+    columns = []
+    for trial in problem.trials:
+        source = trial.source
+        if not begins_unknown(source) or source.offset:
+            continue
+        for motion in start_motions(source):
+            for shape in (motion.displaced, motion.moving):
+
+                def begun(one: FitTrial, size: float, name: str = source.name, shape: Any = shape) -> FitTrial | None:
+                    return one.in_motion({state: size * v for state, v in shape.items()}) if one.name == name else None
+
+                columns.append(problem.slope(scaled, begun, _SHIFTED))
+    return np.column_stack(columns) if columns else np.zeros((0, 0))
+
+
+_SHIFTED = 1e-5
+"""Amplitude (m) to either side for slopes by the start of a record: small beside the motion, large beside rounding."""
+_EXPLAINS_FREELY = 0.6
+"""Share of what is left from which on a start in motion is named: with four amplitudes a trial, more than one number of
+all trials is asked for (`_EXPLAINS`)."""
+
+
 def road_in(
     rest: WeightedResiduals, channel: str, roads: Sequence[tuple[slice, Array]]
 ) -> tuple[float, Finding] | None:
@@ -217,6 +261,8 @@ def suspects(
     trials = [trial.source.trial for trial in problem.trials]
     if SPEED not in freed and all(trial.speed is not None for trial in trials):
         found.append(speed_in(rest, problem.speed_slope(scaled)))
+    if not any(START in name for name in freed):
+        found.append(start_in(rest, _start_slopes(problem, scaled)))
     if all(trial.road is not None for trial in trials):
         found += [road_in(rest, name, _roads(problem, residuals, name)) for name in loud if name.endswith(HEIGHT)]
     likely = sorted((one for one in found if one is not None), key=lambda one: -one[0])

@@ -20,7 +20,14 @@ from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
-from jounce.identify.nuisances import SPEED, SearchedNuisance, nuisances_of
+from jounce.identify.nuisances import (
+    SPEED,
+    START,
+    SearchedNuisance,
+    SearchedStart,
+    begins_unknown,
+    nuisances_of,
+)
 from jounce.identify.search import SAME_PLACE, Optimum, SearchOutcome, search_from_starts
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
@@ -210,7 +217,10 @@ class UpdateResult(Shown):
         The parameters again with intervals that count what the model lacks; None where that was not asked for or fewer
         than three trials were fitted.
     nuisances : dict
-        What was found beside the rig's parameters (speed in m/s, corners of low passes in Hz) to ``UpdatedParameter``.
+        What was found beside the rig's parameters (speed in m/s, corners of low passes in Hz, amplitudes at the start
+        in m) to ``UpdatedParameter``.
+    offsets : dict
+        Trial to how far from equilibrium it begins, SI by state; of trials whose start was found.
     """
 
     name: Annotated[str, Shows("update")]
@@ -227,6 +237,7 @@ class UpdateResult(Shown):
     findings: tuple[Finding, ...] = field(default_factory=tuple)
     discrepancy: Discrepancy | None = None
     nuisances: Annotated[dict[str, UpdatedParameter], Shows("Nuisances")] = field(default_factory=dict)
+    offsets: dict[str, dict[str, float]] = field(default_factory=dict)
 
     @property
     def parts(self) -> Annotated[dict[str, Estimate], Shows(", as the part has it", _units)]:
@@ -295,7 +306,9 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     nuisances : dict, optional
         What is found with the parameters and is none of the rig: ``{"speed": "5 %"}`` (one common factor on the stated
         speeds), ``{"sprung.az.low_pass": ["20 Hz", "400 Hz"]}`` (corner of an undeclared second-order low pass of a
-        channel, in all trials). Intervals of ``doubt`` find them again with all that is doubted.
+        channel, in all trials), ``{"start": "2 mm"}`` (how far each natural vibration of each trial goes to either side
+        of equilibrium when its record begins: something passed before). Intervals of ``doubt`` find them again with all
+        that is doubted.
     bench : dict, optional
         Path to what a component test gave (SI): where the update contradicts it, a finding says so.
 
@@ -346,6 +359,8 @@ def run_update(
             hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
         )
     bounds = free_parameters(trials[0].rig_without, ranges, where=name)
+    if START in (settings.nuisances or {}) or (doubt is not None and doubt.start > 0.0):
+        trials = [trial.in_motion(trial.offset) if begins_unknown(trial) else trial for trial in trials]
     trials, datums = with_datums(trials, settings.channels)
     datums += loads_held_against_masses(trials)
     unknowns = nuisances_of(settings.nuisances or {}, trials, f"{name}: nuisances")
@@ -418,11 +433,11 @@ def run_update(
     at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
     discrepancy = calibration = None
+    for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
+        trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
     if doubt is not None:
         values = {path: parameter.value for path, parameter in parameters.items()}
-        for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
-            trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
-        found_beside_of = {one.name: one.width for one in unknowns}
+        found_beside_of = {START if isinstance(one, SearchedStart) else one.name: one.width for one in unknowns}
         calibration, more = _with_doubt(trials, bounds, values, settings, lags, priors, found_beside_of)
         if calibration is not None:
             discrepancy = discrepancy_of(calibration, settings.bench or {})
@@ -445,35 +460,43 @@ def run_update(
         tuple(findings),
         discrepancy,
         found_beside,
+        {trial.name: dict(trial.offset) for trial in trials if trial.offset},
     )
     return result, calibration
 
 
-def _beside(one: SearchedNuisance, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
+def _beside(one: SearchedNuisance | SearchedStart, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
     """A nuisance as it is told: its value, and the interval of what was searched in its unit."""
     free, found = one.free, float(one.free.value(scaled))
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
-    ends = None if error is None else tuple(sorted(one.told(max(found + s * 1.96 * error, 1e-12)) for s in (-1.0, 1.0)))
-    interval = None if ends is None else (ends[0], ends[1])
-    slope = 1.0 if one.name == SPEED else one.told(found) ** 2
-    lower, upper = sorted((one.told(free.lower), one.told(free.upper)))
-    scatter = None if error is None else error * slope
-    initial = one.told(free.initial)
-    return UpdatedParameter(initial, one.told(found), scatter, interval, lower, upper, is_bound, one.unit)
+    ends = None if error is None else (found - 1.96 * error, found + 1.96 * error)
+    if not one.is_inverse:
+        return UpdatedParameter(free.initial, found, error, ends, free.lower, free.upper, is_bound, one.unit)
+    interval = None if ends is None else (1.0 / max(ends[1], 1e-12), 1.0 / max(ends[0], 1e-12))
+    return UpdatedParameter(
+        1.0 / free.initial, 1.0 / found, None if error is None else error / found**2, interval,
+        1.0 / free.upper, 1.0 / free.lower, is_bound, one.unit,
+    )  # fmt: skip
 
 
 def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
     """What was found beside the rig's values, and that it belongs into the description of trials and sensors."""
     findings = []
+    starts = {name: one for name, one in found.items() if f": {START}, " in name}
+    if starts:
+        name, largest = max(starts.items(), key=lambda item: abs(item[1].value))
+        findings.append(finding("identify.starts_found", START, largest.value, value=abs(largest.value), which=name))
     for name, one in found.items():
         low, high = one.interval or (None, None)
         if one.at_bound:
             code = "identify.nuisance_on_bound"
+        elif name in starts:
+            continue
         elif name == SPEED:
             code = "identify.speed_found" if one.interval is None else "identify.speed_found_within"
         else:
             code = "identify.low_pass_found" if one.interval is None else "identify.low_pass_found_within"
-        excess = one.value / one.initial - 1.0
+        excess = one.value / one.initial - 1.0 if one.initial else 0.0
         findings.append(
             finding(code, name, one.value, value=one.value, unit=one.unit, low=low, high=high, excess=excess)
         )
@@ -638,7 +661,8 @@ def _left_over(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[L
     for (trial, channel), block in zip(both, residuals.blocks, strict=True):
         if channel.weight > 0.0:
             read = channel.measured - residuals.vector[block] / channel.weight
-            left.setdefault(channel.name, []).append(LeftOver(trial.source.name, channel.measured, read, trial.rate))
+            part = LeftOver(trial.source.name, channel.measured, read, trial.rate, channel.noise)
+            left.setdefault(channel.name, []).append(part)
     return left
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -247,10 +246,11 @@ def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
 
 
 def most_important(findings: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Choose the worst findings, each kind of sentence once: those that differ in numbers only say the same."""
-    kinds: dict[str, Finding] = {}
+    """Choose the worst findings, each kind once: those of the same code differ in their numbers only."""
+    kinds: dict[tuple[str, str], Finding] = {}
     for finding in worst_first(findings):
-        kinds.setdefault(re.sub(r"[\d.,+−-]+|\[\w+\]", "", finding.message), finding)
+        error = str(finding.numbers.get("error", ""))
+        kinds.setdefault((finding.code, error) if finding.code else ("", finding.message), finding)
     return tuple(kinds.values())[:_MOST_FINDINGS]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -70,7 +71,7 @@ def solved(
         )
     compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else known_actuator(trial))
     p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
-    start = _offset(compiled, offset)
+    start = start_offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
     if loop and method == "implicit":
         raise SimulationError("controlled runs are explicit", where="method", found=method, allowed="auto, explicit")
@@ -126,7 +127,8 @@ def _solved(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
     return RunOutput(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
 
-def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
+def start_offset(compiled: Compiled, offset: Mapping[str, float] | None) -> Array | None:
+    """Offsets of all states (SI) from those that are given by name; None where there are none."""
     if not offset:
         return None
     names = compiled.facts.states

@@ -135,7 +135,7 @@ def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
         [jn.FitTrial("level", RIG, course, made)], free, UpdateSettings(weights="printed", doubt=jn.Doubt()),
         priors={"strut.spring.rate": (23e3, 300.0)},
     )  # fmt: skip
-    assert one.own == [("speed", 0.003), ("slowing", 0.02)]  # of each trial
+    assert [(own.name, own.deviation) for own in one.own] == [("speed", 0.003), ("slowing", 0.02)]  # of each trial
     half = 0.15 * 22730.0  # a scaled unit, in which a prior has its mean and the root of its precision
     assert one.priors == pytest.approx(np.array([[270.0 / half, half / 300.0], *[[0.0, 0.0]] * 3]))
     run, ratio, arms = one.runs[0], np.cos(RIG.parameters()["strut.angle"]), 0.2

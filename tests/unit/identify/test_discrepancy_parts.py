@@ -21,6 +21,7 @@ from jounce.identify.discrepancy import (
     _law_estimate,
     _length,
     _mean_squares,
+    _OwnDoubt,
     _Run,
     _SearchPoint,
     _share_of_rest,
@@ -156,7 +157,9 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
     """Residuals that are what the unknowns and a lag make of them: the lag is found; no parameter falls below zero."""
     draw = np.random.default_rng(6).normal
     free = [SimpleNamespace(lower=0.0, scaled=lambda value: value - 2.0), SimpleNamespace(lower=-1.0)]
-    one = SimpleNamespace(free=free, nuisances=["a"], align=True, runs=[None, None], own=[("speed", 0.1)])
+    one = SimpleNamespace(
+        free=free, nuisances=["a"], align=True, runs=[None, None], own=[_OwnDoubt("speed", "speed", 0.1)]
+    )
     state = _State(np.array([-1.9, 0.3]), np.array([0.2]), np.array([[0.1], [0.2]]), np.array([1e-3, -2e-3]))
     step, late = np.array([-4.0, 0.5, -0.7, 0.4, -0.3]), (0.003, -0.001)  # parameters, doubt, a speed of each trial
     blocks = []
@@ -239,12 +242,16 @@ def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
     found = one.solved()
     free = [SimpleNamespace(path="k")]
     nuisances = [SimpleNamespace(name="gravel", group="height", mean=0.0, deviation=1.0)]
-    calibration = SimpleNamespace(free=free, nuisances=nuisances, runs=[0, 1], own=[("speed", 0.1)], align=True)
+    calibration = SimpleNamespace(
+        free=free, nuisances=nuisances, runs=[0, 1], own=[_OwnDoubt("speed", "speed", 0.1)], align=True
+    )
     masks = _groups(calibration, 4)
     assert {name: mask.tolist() for name, mask in masks.items()} == {
         "height": [False, True, False, False], "speed": [False, False, True, True]
     }  # fmt: skip
-    held = SimpleNamespace(free=free, nuisances=nuisances, runs=[0, 1], own=[("speed", 0.1)], align=False)
+    held = SimpleNamespace(
+        free=free, nuisances=nuisances, runs=[0, 1], own=[_OwnDoubt("speed", "speed", 0.1)], align=False
+    )
     assert {name: np.flatnonzero(mask).tolist() for name, mask in _groups(held, 6).items()} == {
         "height": [1], "speed": [2, 4], "lag": [3, 5]
     }  # fmt: skip

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -198,3 +200,34 @@ def test_a_missed_passage_does_not_shift_the_numbers_of_the_others() -> None:
     assert len(again.times) == len(found.times) - 1
     assert again.times[4] == pytest.approx(found.times[5], abs=0.02)
     assert again.odd == (5,)  # the strange one is the sixth that came and the fifth that was found
+
+
+def test_the_noise_of_an_average_is_its_error_where_the_signal_is() -> None:
+    """White noise of 0.2 and 1.0 m/s^2 over n loops leaves 1/sqrt(n) of it; slow noise counts by its density."""
+    road = on_belt(ONE)
+    found = find_passages(record(road, 3.87), RIG, road, 3.87)
+    loops = found.loop.attrs["passages"]
+    for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
+        assert found.noise[name] == pytest.approx(noise / np.sqrt(loops), rel=0.35)
+    alone = one_loop(found, record(road, 3.87), 2, channels=["sprung.az", "unsprung.az"], name="one")
+    assert alone.noise["sprung.az"] == pytest.approx(np.sqrt(loops) * found.noise["sprung.az"])
+
+
+def test_a_fit_weighs_an_average_with_the_scatter_of_its_loops() -> None:
+    road, right = on_belt(ONE), RIG.with_changes(OTHER)
+    data = record(road, 3.87)
+    trial = FitTrial("one", right, jn.Trial(road=road, speed=3.87, duration=5.0), data)
+    averaged = averaged_trial(trial, find_passages(data, right, road, 3.87))
+    assert averaged.noise["sprung.az"] > 0.0
+    louder = replace(averaged, noise={name: 10.0 * value for name, value in averaged.noise.items()})
+    three = [[replace(one, name=f"trial {k}") for k in range(3)] for one in (averaged, louder)]
+    narrow, wide = (
+        jn.update_model(trials, {"strut.spring.rate": "30 %"}, weights="normalised", align="lag", doubt=EXACT)
+        for trials in three
+    )
+    path = "strut.spring.rate"
+    assert wide.discrepancy.noise["sprung.az"] == pytest.approx(10.0 * narrow.discrepancy.noise["sprung.az"])
+    assert wide.discrepancy.parameters[path].half_width > 3.0 * narrow.discrepancy.parameters[path].half_width
+
+
+EXACT = jn.Doubt(**{name: 0.0 for name in jn.Doubt.model_fields if name != "values"})

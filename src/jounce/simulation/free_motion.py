@@ -1,0 +1,72 @@
+"""Free vibrations about equilibrium: what a rig that was disturbed earlier still does when a record begins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.statics import find_equilibrium
+
+_SMALL = (
+    1e-6  # m: step of the difference that tells how far a motion moves the outputs; outputs are nearly linear in it
+)
+_SWINGS = 1e-6  # imaginary part over size of a pole, above which it is no rounding of a real one
+
+
+@dataclass(frozen=True)
+class FreeMotion:
+    """One natural vibration about equilibrium, with an amplitude of 1 m.
+
+    Attributes
+    ----------
+    frequency : float
+        Damped natural frequency, Hz.
+    decay : float
+        Rate of decay, 1/s.
+    displaced, moving : dict
+        State to how far it is from equilibrium (SI) when the motion turns, and a quarter of a period later.
+    """
+
+    frequency: float
+    decay: float
+    displaced: Mapping[str, float]
+    moving: Mapping[str, float]
+
+
+def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeMotion]:
+    """Return the vibrations of a model at rest under the inputs ``still``, the slowest first.
+
+    ``p`` are all parameter values (SI). The amplitude is that of the height, travel or deflection among the outputs
+    that moves most. Motions that creep back without a swing are left out.
+    """
+    rest = find_equilibrium(compiled, p, still)
+    poles, shapes = np.linalg.eig(rest.reduced)
+    lengths = [i for i, output in enumerate(compiled.facts.outputs) if output.unit == "m"]
+    found = []
+    for pole, shape in sorted(zip(poles, (rest.lift @ shapes).T, strict=True), key=lambda pair: pair[0].imag):
+        if pole.imag <= _SWINGS * abs(pole):
+            continue
+
+        def moved(part: Array) -> Array:
+            step = _SMALL / float(np.max(np.abs(part), initial=1e-300))
+            above, below = (
+                compiled.evaluate("output", rest.x + sign * step * part, still, p, rest.modes) for sign in (1.0, -1.0)
+            )
+            return np.asarray((above - below)[lengths] / (2.0 * step))
+
+        seen = moved(shape.real) + 1j * moved(shape.imag)
+        largest = seen[np.argmax(np.abs(seen))]
+        swing = shape / largest
+        found.append(
+            FreeMotion(
+                float(pole.imag) / (2.0 * np.pi),
+                -float(pole.real),
+                dict(zip(compiled.facts.states, swing.real.tolist(), strict=True)),
+                dict(zip(compiled.facts.states, (1j * swing).real.tolist(), strict=True)),
+            )
+        )
+    return found
