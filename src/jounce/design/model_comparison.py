@@ -259,8 +259,8 @@ def _rows(
             found.wheel_rate,
             rate,
             f"3-D: {1e-3 * found.wheel_rate_spring:.4g} N/mm from the spring's rate, "
-            f"{1e-3 * found.wheel_rate_preload:+.3g} from its force of {found.spring_force:.4g} N where the motion ratio "
-            f"changes, {1e-3 * found.wheel_rate_weight:+.2g} from weights{across}.",
+            f"{1e-3 * found.wheel_rate_preload:+.3g} from its force of {found.spring_force:.4g} N where the motion "
+            f"ratio changes, {1e-3 * found.wheel_rate_weight:+.2g} from weights{across}.",
         ),
         ModelDifference(
             "damping at the wheel",
