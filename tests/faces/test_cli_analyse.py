@@ -119,3 +119,20 @@ def test_python_that_is_offered_gives_the_same(lap: str, capsys: pytest.CaptureF
     assert "jn.estimate_spectra(" in text
     exec(compile(text, "offered", "exec"), {})  # noqa: S102 - our own text
     assert capsys.readouterr().out
+
+
+def test_volts_become_what_their_sensors_measure(lap: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = Path(lap).read_text(encoding="utf-8").replace("body [g]", "ch0 [V]")
+    Path("volts.csv").write_text(text, encoding="utf-8")
+    sensors = 'schema = "jounce.sensors/1"\n[sensors."sprung.az"]\ncolumn = "ch0"\nsensitivity = "1 V/g"\n'
+    Path("card.toml").write_text(sensors, encoding="utf-8")
+    words = ("analyse", "statistics", "--channel", "sprung.az", "--json")
+    assert main([*words, lap, *COLUMNS]) == 0
+    in_g = json.loads(capsys.readouterr().out)["channels"][0]
+    columns = [word for word in COLUMNS if word != "sprung.az=body"]
+    del columns[columns.index("road.z=laser") + 1]
+    assert main([*words, "volts.csv", *columns, "--sensors", "card.toml"]) == 0
+    in_volts = json.loads(capsys.readouterr().out)["channels"][0]
+    assert in_volts["rms"]["value"] == pytest.approx(in_g["rms"]["value"], rel=1e-9)
+    assert main([*words, "volts.csv", *columns, "--sensors", "nowhere.toml"]) == 2
+    assert "nowhere.toml" in capsys.readouterr().err

@@ -322,11 +322,18 @@ def _check_optimisation(check: FileCheck) -> None:
     check.what = f"{wanted} of {study.rig}: {count} number{'' if count == 1 else 's'} over {problem.driven}"
 
 
+def _check_sensor_file(check: FileCheck) -> None:
+    from jounce.recordings.sensor_files import read_sensors
+
+    check.what = f"sensors of {', '.join(read_sensors(check.file))}"
+
+
 _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
     "jounce.campaign/1": _check_campaign,
     "jounce.laboratory/1": _check_laboratory,
+    "jounce.sensors/1": _check_sensor_file,
     "jounce.truth/1": _check_truth,
     "jounce.road/1": _check_road,
     "jounce.control/1": _check_control,

@@ -24,6 +24,7 @@ from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_chan
 from jounce.recordings.reader import ReaderOptions, SignalTable
 from jounce.recordings.readers import is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording_of
+from jounce.recordings.sensor_files import read_sensors
 from jounce.recordings.signals import read_at, uniform_instants
 from jounce.recordings.writers import RECORDING_FILES
 
@@ -44,7 +45,7 @@ def read_recording(
     variable: str = "",
     resample: float | str | None = None,
     database: Path | str | None = None,
-    sensors: Mapping[str, Sensor] | None = None,
+    sensors: Mapping[str, Sensor] | Path | str | None = None,
 ) -> tuple[xr.Dataset, list[Finding]]:
     r"""Read a measured or simulated recording, whatever its format, units and column order.
 
@@ -66,8 +67,10 @@ def read_recording(
         file, the signals are band-limited first, without phase, at 0.4 of the new rate.
     database : Path or str, optional
         Database of bus messages (``.dbc``) used to decode the bus frames of an MDF file.
-    sensors : mapping of str to Sensor, optional
-        Sensors by channel: columns in volts or counts are converted to the quantities of their channels.
+    sensors : mapping of str to Sensor, Path or str, optional
+        Sensors by channel, or a file with them: columns in volts or counts are converted to the quantities of their
+        channels. The file has tables ``[sensors."sprung.az"]`` (schema ``jounce.sensors/1``); a campaign, or the
+        settings of a laboratory, will do.
 
     Returns
     -------
@@ -101,9 +104,10 @@ def read_recording(
     if is_read_in_child(file):
         isolated.prepare()  # the child starts while this process imports xarray
         import xarray  # noqa: F401
+    chains = read_sensors(sensors) if isinstance(sensors, str | Path) else sensors or {}
     signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
-    mapping = {**electrical_columns(sensors or {}, signals.tables), **mapping}
+    mapping = {**electrical_columns(chains, signals.tables), **mapping}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     recorded = _own_time(signals, mapping) if given_step is not None else None
@@ -177,8 +181,8 @@ def read_recording(
     run = recording_of(time, channels, attributes=attributes)
     for name, rate in rates.items():
         run[name].attrs["recorded_rate"] = rate
-    if sensors:
-        run, more = conditioned(run, sensors, where=str(file))
+    if chains:
+        run, more = conditioned(run, chains, where=str(file))
         findings += more
     run.encoding["source"] = str(file)
     return run, findings

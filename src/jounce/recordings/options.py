@@ -38,6 +38,10 @@ RESAMPLE = Number(
     most=LONGEST_STEP,
 )
 DATABASE = File("Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded.")
+SENSORS = File(
+    "Sensors whose volts, currents or counts the columns hold: a file with their sensitivities, zeros and ranges, a "
+    "campaign, or the settings of a laboratory."
+)
 AnyRecording: TypeAlias = Annotated[
     "tuple[xr.Dataset, list[Finding]]",
     MadeBy("jounce.recordings.options:chosen_recording", "jounce.recordings.options:recording_in_python"),
@@ -52,10 +56,17 @@ def chosen_recording(
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
     resample: Annotated[float | None, RESAMPLE] = None,
     database: Annotated[str | None, DATABASE] = None,
+    sensors: Annotated[str | None, SENSORS] = None,
 ) -> tuple[xr.Dataset, list[Finding]]:
     """Read a recording."""
     return read_recording(
-        record, columns=columns, sample_time=sample_time, variable=variable, resample=resample, database=database
+        record,
+        columns=columns,
+        sample_time=sample_time,
+        variable=variable,
+        resample=resample,
+        database=database,
+        sensors=sensors,
     )
 
 
@@ -117,9 +128,11 @@ def chosen_file(
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
     resample: Annotated[float | None, RESAMPLE] = None,
     database: Annotated[str | None, DATABASE] = None,
+    sensors: Annotated[str | None, SENSORS] = None,
 ) -> RecordFile:
     """Read a recording, and keep the name of its file."""
-    return RecordFile(Path(record), *chosen_recording(record, columns, variable, sample_time, resample, database))
+    read = chosen_recording(record, columns, variable, sample_time, resample, database, sensors)
+    return RecordFile(Path(record), *read)
 
 
 def chosen_files(
@@ -129,10 +142,11 @@ def chosen_files(
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
     resample: Annotated[float | None, RESAMPLE] = None,
     database: Annotated[str | None, DATABASE] = None,
+    sensors: Annotated[str | None, SENSORS] = None,
 ) -> list[RecordFile]:
     """Read several recordings, patterns of names included."""
     return [
-        chosen_file(str(path), columns, variable, sample_time, resample, database)
+        chosen_file(str(path), columns, variable, sample_time, resample, database, sensors)
         for path in matching_files(measured, "FILE")
     ]
 

@@ -1,0 +1,65 @@
+"""Sensors of the channels of a card as a file says them: one of their own, a campaign, or a laboratory's settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from jounce.core.description import check_schema, read_toml
+from jounce.core.errors import DescriptionError
+from jounce.recordings.sensors import Sensor, check_sensors
+
+_SCHEMAS = ("jounce.sensors/1", "jounce.campaign/1", "jounce.truth/1", "jounce.laboratory/1")
+
+
+def read_sensors(path: Path | str) -> dict[str, Sensor]:
+    r"""Read the sensors of a file, by the channel that each measures.
+
+    Parameters
+    ----------
+    path : Path or str
+        TOML with tables ``[sensors."sprung.az"]`` (schema ``jounce.sensors/1``, or a campaign), or the settings of a
+        laboratory (schema ``jounce.laboratory/1``), whose ``[channels]`` are named by the columns of the card.
+
+    Returns
+    -------
+    dict of str to Sensor
+        As `read_recording` takes them.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line, key, found value and what is allowed; also for a file without sensors.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = Path(tempfile.mkdtemp()) / "card.toml"
+    >>> text = 'schema = "jounce.sensors/1"\n[sensors."sprung.az"]\ncolumn = "ch0"\nsensitivity = "100 mV/g"\n'
+    >>> _ = file.write_text(text)
+    >>> read_sensors(file)["sprung.az"].column
+    'ch0'
+    """
+    table, text = read_toml(path)
+    is_laboratory = check_schema(table, _SCHEMAS, str(path)) == "jounce.laboratory/1"
+    key = "channels" if is_laboratory else "sensors"
+    given = table.get(key)
+    if not isinstance(given, Mapping) or not given:
+        allowed = "[channels.COLUMN] with what each measures" if is_laboratory else '[sensors."sprung.az"]'
+        raise DescriptionError("the file has no sensors", where=f"{path}: {key}", allowed=f"tables {allowed}")
+    sensors = {}
+    for name, entry in given.items():
+        channel, keys = _measured(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
+        sensors[channel] = Sensor.from_table(keys, where=str(path), text=text, path=(key, name))
+    check_sensors(sensors, f"{path}: {key}")
+    return sensors
+
+
+def _measured(column: str, entry: Any, where: str) -> tuple[str, dict[str, Any]]:
+    """Channel that a column of a laboratory's card measures, and the keys of its sensor."""
+    if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
+        raise DescriptionError(
+            "it does not say what it measures", where=f"{where}.{column}", allowed='measures = "sprung.az"'
+        )
+    return entry["measures"], {"column": column, **{key: item for key, item in entry.items() if key != "measures"}}
