@@ -33,6 +33,8 @@ _START_DAMPING = "150 N*s/m"
 _DAMPING_BOUNDS = ["30 N*s/m", "450 N*s/m"]
 _SAME_PRESSURE = 0.02
 """Share by which a pressure in a file's name may differ from the table's and still be the same."""
+_SAME_RATE = 0.01
+"""Share by which sample rates of records may differ and be those of one clock."""
 _AGREES = 0.03
 """Share by which a calibration may differ from the sensitivity on a sensor's label without being asked about."""
 
@@ -158,18 +160,27 @@ class _Maker:
         self.folder, self.source, self.laboratory, self.strategies = folder, source, laboratory, strategies
         self.raw = raw
         self.files, self.findings = files, list[Finding]()
+        self.left_out = set[Path]()
         self.rows = {row.number: row for row in self._table()}
         for item in files:
             if item.kind == "unknown":
                 self._note("campaign.file_left_out", item.file.name, why=item.why)
             elif item.doubt:
-                self._note("campaign.file_in_doubt", item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
+                self._note(self._doubted(item), item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
 
     def _note(self, code: str, place: str, value: float | None = None, **numbers: Any) -> None:
         self.findings.append(finding(code, place, value, **numbers))
 
     def _of(self, kind: str) -> list[RecognisedFile]:
-        return [item for item in self.files if item.kind == kind]
+        return [item for item in self.files if item.kind == kind and item.file not in self.left_out]
+
+    def _doubted(self, item: RecognisedFile) -> str:
+        """What to say of a file that could be of two kinds: tests that are sure go on without it."""
+        sure = [other for other in self.files if other.kind == item.kind and not other.doubt]
+        if item.kind not in ("spring", "tyre") or not sure:
+            return "campaign.file_in_doubt"
+        self.left_out.add(item.file)
+        return "campaign.doubtful_test_left_out"
 
     def _table(self) -> list[TrialRow]:
         tables = [item.file for item in self._of("table of trials")]
@@ -318,9 +329,16 @@ class _Maker:
         return next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
 
     def _tests(self, items: Sequence[RecognisedFile]) -> dict[str, Any]:
-        table: dict[str, Any] = {"files": [self._relative(item.file) for item in items]}
-        if items[0].columns:
-            table["columns"] = dict(items[0].columns)
+        """Tests of one part; a file whose columns are called otherwise than those of the most is left out."""
+        usual = Counter(tuple(item.columns.items()) for item in items).most_common(1)[0][0]
+        for item in items:
+            if tuple(item.columns.items()) != usual:
+                columns = " and ".join(label for _, label in usual) or "displacement and force"
+                self._note("campaign.other_columns", item.file.name, columns=columns)
+        alike = [item for item in items if tuple(item.columns.items()) == usual]
+        table: dict[str, Any] = {"files": [self._relative(item.file) for item in alike]}
+        if usual:
+            table["columns"] = dict(usual)
         return table
 
     def _roads(self) -> dict[str, Any]:
@@ -370,6 +388,10 @@ class _Maker:
                 **_clock(item),
                 "use": "fit" if number in fitted else "hold-out",
             }
+        rates = Counter(round(item.rate, 1) for item in records.values() if item.rate is not None)
+        for item in records.values():
+            if item.rate is not None and abs(item.rate / (usual := rates.most_common(1)[0][0]) - 1.0) > _SAME_RATE:
+                self._note("campaign.another_rate", item.file.name, item.rate, rate=item.rate, usual=usual)
         for item in self._of("trial"):
             if item.number is None:
                 self._note("campaign.no_number", item.file.name)

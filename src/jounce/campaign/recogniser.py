@@ -72,6 +72,8 @@ class RecognisedFile(Shown):
         Its column of time with the unit, where readers must be given it: ``"t [s]"``.
     sample_time : float or None
         Step of the samples that its header says, s, where it has no time.
+    rate : float or None
+        Samples a second of a record over time, Hz.
     """
 
     file: Path
@@ -83,6 +85,7 @@ class RecognisedFile(Shown):
     doubt: str = ""
     time: str = ""
     sample_time: float | None = None
+    rate: float | None = None
 
 
 def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[RecognisedFile]:
@@ -162,7 +165,8 @@ def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> 
     signals = [column for column in table if column is not time and column.fault is None]
     if not signals:
         return RecognisedFile(file, "unknown", "time, and no other column of numbers")
-    return replace(_of_signals(file, seconds, signals, settings), time=spec, sample_time=step)
+    rate = (len(seconds) - 1) / float(seconds[-1] - seconds[0]) if seconds[-1] > seconds[0] else None
+    return replace(_of_signals(file, seconds, signals, settings), time=spec, sample_time=step, rate=rate)
 
 
 def _time(table: ColumnTable) -> Column | None:

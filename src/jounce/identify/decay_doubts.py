@@ -12,7 +12,7 @@ from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.free_response import DecayParameters, decay_slopes
 from jounce.identify.low_pass import low_pass_corner, smoother_corner
-from jounce.identify.motion import Quantity
+from jounce.identify.motion import Quantity, order_of
 from jounce.identify.signals import quantum_of
 from jounce.recordings.quality import clipped_share, frozen_samples
 
@@ -23,6 +23,7 @@ _SEAM, _SEAMS = 0.75, 0.125  # of what is left, which two decays explain; cycles
 _ODD_STEP, _JUMP, _FEW_JUMPS = 10.0, 0.02, 3  # times the usual step, of the range, jumps of a record
 _FEW, _FEW_SEAMS = 4000, 400  # samples and instants, so that a long record is not looked at for minutes
 _SLOW, _DRIFTS = 4.0, 0.03  # cycles that a drift spans at least; of the range, as no damper moves its centre
+_RELEASING = 0.05  # of a cycle after its release, in which filters of a recorder may hold a jump up
 _NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
 
 
@@ -82,7 +83,12 @@ def what_is_left(
 ) -> list[Finding]:
     """Name what residuals look like: a jump, two decays, a drift, a damper that is firmer in one direction."""
     left = float(residual @ residual)
-    if jump := _jump(residual, float(np.ptp(signal))):
+    begin = 0
+    if order_of(quantity) == 2:  # a body that was held and is let go jumps there in acceleration, as it must
+        turn_time = 2.0 * math.pi / parameters.angular_frequency
+        begin = int(np.searchsorted(t, parameters.release_time + _RELEASING * turn_time))
+    if (later := _jump(residual[begin:], float(np.ptp(signal)))) is not None:
+        jump = begin + later
         return [
             finding("identify.decay_jumps_once", name, t[jump], jump=residual[jump] - residual[jump - 1], time=t[jump])
         ]

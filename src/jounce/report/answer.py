@@ -143,7 +143,9 @@ def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> PageTable
         cells.append(number(None if one.described is None else one.described * unit.factor))
         cells.append(_cell(one.bench, one.unit))
         if one.carried is not None:
-            cells.append(Cell(number(one.carried * unit.factor), "muted", "scaled likewise"))
+            is_measured = one.bench is not None and math.isclose(one.carried, one.bench.value, rel_tol=1e-9)
+            note = "as measured" if is_measured else "scaled likewise"
+            cells.append(Cell(number(one.carried * unit.factor), "muted", note))
         elif one.updated is not None and one.updated.at_bound:
             cells.append(Cell(estimate_cells(one.updated, one.unit)[0], "fair", "at its bound"))
         else:

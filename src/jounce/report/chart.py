@@ -84,7 +84,7 @@ class Chart:
     columns: int = field(default=2)
 
 
-_CHARACTER = 6.6  # pixels of a usual letter of 12 pixels
+_CHARACTER, _BOLD = 6.6, 7.2  # pixels of a usual letter of 12 pixels, and of one in a title
 _FINE = 4  # steps a pixel
 
 
@@ -194,7 +194,8 @@ def _drawn(panel: Panel, identity: str) -> str:
     for x, y, text in panel.notes:
         out.append(f'<text class="note" x="{at_x(x) + 7:.1f}" y="{at_y(y) + 4:.1f}">{escape(text)}</text>')
     if panel.title:
-        out.append(f'<text class="title" x="{left}" y="16">{escape(panel.title)}</text>')
+        fits = panel.width - int(_BOLD * len(panel.title))  # a long title begins left of the axis
+        out.append(f'<text class="title" x="{max(2, min(left, fits))}" y="16">{escape(panel.title)}</text>')
     if panel.x_label:
         middle = (left + right) / 2
         out.append(f'<text x="{middle:.0f}" y="{bottom + 34}" text-anchor="middle">{escape(panel.x_label)}</text>')

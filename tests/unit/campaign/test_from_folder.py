@@ -158,3 +158,30 @@ def test_a_table_without_its_headings_says_what_it_found(tmp_path: Path) -> None
     file.write_text("Table 2\n\nwhat,how fast\n1,1.95\n", encoding="utf-8")
     with pytest.raises(RecordingError, match="what, how fast"):
         read_trials(file)
+
+
+def test_a_record_of_another_rate_is_named(lab: Path, tmp_path: Path) -> None:
+    _record(lab / "run2.csv", rate=500.0)
+    made = jn.campaign_from_folder(tmp_path / "made", lab)
+    (told,) = [item for item in made.findings if item.code == "campaign.another_rate"]
+    assert told.place == "run2.csv"
+    assert told.value == pytest.approx(500.0)
+
+
+def test_a_doubtful_test_and_one_with_other_headings_leave_the_others_alone(lab: Path, tmp_path: Path) -> None:
+    way = np.linspace(0.0, 10.0, 21)
+
+    def write(name: str, rate: float, columns: str = "Einfederung [mm],Radlast [N]") -> None:
+        rows = "\n".join(f"{x:.2f},{rate * x:.4f}" for x in way)
+        (lab / name).write_text(f"{columns}\n{rows}\n", encoding="utf-8")
+
+    write("tyre_0.31MPa_1.csv", 140.0)
+    write("tyre_0.31MPa_2.csv", 141.0)
+    write("tyre_0.31MPa_3.csv", 139.0, "way [mm],load [N]")
+    write("tyre_0.31MPa_9.csv", 22.0)  # a spring, by its rate
+    made = jn.campaign_from_folder(tmp_path / "made", lab)
+    places = {item.code: item.place for item in made.findings}
+    assert places["campaign.doubtful_test_left_out"] == "tyre_0.31MPa_9.csv"
+    assert places["campaign.other_columns"] == "tyre_0.31MPa_3.csv"
+    text = made.campaign.read_text(encoding="utf-8")
+    assert [name in text for name in ("MPa_1", "MPa_2", "MPa_3", "MPa_9")] == [True, True, False, False]

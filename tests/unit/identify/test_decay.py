@@ -589,3 +589,23 @@ def test_a_sensor_out_of_range_is_told_of_arrays_too():
     t, x = swung()
     assert "lie at the limits of the record" in told_of(t, np.clip(x, -0.008, 0.008))
     assert "lie at the limits of the record" not in told_of(t, x)
+
+
+def test_the_jump_of_a_release_hides_no_second_hit_and_is_none() -> None:
+    from scipy import signal
+
+    rate, turning, ratio = 5000.0, 32.0, 0.09
+    time = np.arange(0.0, 4.0, 1.0 / rate)
+    swing, damped = np.maximum(time - 0.5, 0.0), turning * math.sqrt(1.0 - ratio**2)
+    fall = 0.012 * np.exp(-ratio * turning * swing)
+    height = fall * (np.cos(damped * swing) + ratio * turning / damped * np.sin(damped * swing))
+    speed = -fall * turning**2 / damped * np.sin(damped * swing)
+    pushed = -(turning**2) * height - 2.0 * ratio * turning * speed
+    low_pass = signal.butter(4, 1000.0, fs=rate, output="sos")
+    noise = 0.02 * np.random.default_rng(1).standard_normal(time.size)
+    codes = []
+    for hit in (0.0, 1.5):  # m/s^2, at 1.2 s; the release at 0.5 s jumps by 12 m/s^2
+        seen = signal.sosfilt(low_pass, np.where(time >= 0.5, pushed, 0.0) + np.where(time > 1.2, hit, 0.0)) + noise
+        codes.append({item.code for item in fit_decay(time, seen, mass=16.0, quantity="acceleration").findings})
+    assert "identify.decay_jumps_once" not in codes[0]
+    assert "identify.decay_jumps_once" in codes[1]
