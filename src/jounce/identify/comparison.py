@@ -131,15 +131,16 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
 
 
 Grade = Literal["excellent", "good", "fair", "poor"]
+# Default parameters of ISO/TS 18571:2014, but for the shortest signal:
 SAMPLE_RATE = 10_000.0
 INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2
 LARGEST_SHIFT = 0.2
 WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = 0.1, 0.5, 2.0
 WEIGHTS = (0.4, 0.2, 0.2, 0.2)
-SHORTEST = 12
+SHORTEST = 12  # samples: slopes are averaged over nine
 GRADES: tuple[tuple[float, Grade], ...] = ((0.94, "excellent"), (0.80, "good"), (0.58, "fair"))
-_TIE = 1e-12
-_NEARLY, _VALLEY = 0.01, 0.05
+_TIE = 1e-12  # correlation: rounding makes no better shift
+_NEARLY, _VALLEY = 0.01, 0.05  # correlation: a rival peak is nearly as high, and stands beyond a valley
 
 
 @dataclass(frozen=True)

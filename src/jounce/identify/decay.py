@@ -78,7 +78,9 @@ class Peaks:
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
 
 
-_SUDDEN, _GROWS, _FEWEST = 2.0, 1.02, 20
+_SUDDEN = 2.0  # times the larger of the two swings before: a hit, as a free decay only falls
+_GROWS = 1.02  # times the swing before: a beat goes on growing behind a knot
+_FEWEST = 20  # samples
 
 
 def find_release(signal: Array, noise: float) -> int:
@@ -893,8 +895,8 @@ _DETRENDED = 4  # times a drift is taken off
 _MOST_ACCELERATION = 500.0  # m/s^2: wheels that are struck reach some 40 g
 _SAME = 0.02  # of a logarithmic decrement: less is no change
 _CLEARLY = 4.0  # standard errors of a friction: of intervals alone one decay in forty would show some
-_TRIES = 5
-_EXPLAINED, _STILL_HIT = 0.98, 6.0
+_TRIES = 5  # turning points, each of which may be the release
+_EXPLAINED, _STILL_HIT = 0.98, 6.0  # R2, and misfit of the first half cycle over the later: the hit is over
 
 
 def _in_window(

@@ -61,7 +61,7 @@ OBSERVATIONS = 3.0
 Found on benches 0 to 11 and 300 to 329 of the study: with one, 99 % of the 95 % intervals held both values of the
 truth; with four, those of guide friction only 90 %.
 """
-_ROUNDS, _PASSES = 8, 4
+_ROUNDS, _PASSES = 8, 4  # steps of a search, and estimates of the noise within one: each depends on the other
 _SETTLED = 0.05  # standard errors: a smaller step ends the search
 _STEP = 0.1  # of a prior standard deviation: differences of inputs and sensors
 _NOISE_FROM = 0.55  # of the Nyquist frequency: above it, records hold noise only
@@ -330,8 +330,8 @@ def low_passed_by(table: Array, rate: float, constant: float, typical: float) ->
     return np.asarray(table + constant / typical * (behind - table))
 
 
-_SHORTEST_PATCH = 5e-4  # m
-_FINEST, _COARSEST = 5e-4, 3e-3  # m
+_SHORTEST_PATCH = 5e-4  # m: the finest step in which a road is averaged; no tyre touches less
+_FINEST, _COARSEST = 5e-4, 3e-3  # m: a fifth of the patch within these bounds, which bound time and error
 
 
 class ModelErrorProblem:
@@ -1125,7 +1125,7 @@ def _free_group_by_group(
 
 
 _FREER = 1e-4  # of a prior's precision: a hundred times its standard deviation
-_SIGNIFICANT = 2.0  # standard errors
+_SIGNIFICANT = 2.0  # standard errors: 95 %
 _STATED = frozenset({"height", "stated", "lumped", "estimated", "angle"})
 """Groups of what was measured once and written down: it can be measured again."""
 _WHOLE_RANGE = frozenset({"guide_presliding"})

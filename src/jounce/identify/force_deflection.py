@@ -23,7 +23,7 @@ Branch = Literal["loading", "unloading", "both"]
 Zero = Literal["first-contact", "none"]
 
 _FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
-_FORCE_THRESHOLD = 0.002  # of the largest force
+_FORCE_THRESHOLD = 0.002  # of the largest force: contact, where the noise is smaller
 _TENSION = 0.1  # of the compression: what goes farther the other way is pulled on purpose
 _CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows again begins another load cycle
 
@@ -327,7 +327,7 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
 
 _FEWEST_SLIP, _SLIDES = 15, (0.01, 0.03, 0.08)  # points; shares of the stroke over which a grip slides
 _SLIPPED, _LEAST_SLIP = 0.4, 0.01  # of what a cubic or a kink leaves, and of the range of the force
-_TOP = 0.02  # of the largest deflection
+_TOP = 0.02  # of the largest deflection: so near to the top or to the start counts as there
 _FLAT = 0.05  # of the stroke over which the force may stay at its largest value
 _ON_THE_WAY = 0.75  # of the force that is missing at the end: what hysteresis would have taken in mid-stroke
 _NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial ends as it began
@@ -355,7 +355,7 @@ def _out_of_range(trial: SeatedTrial) -> list[Finding]:
     ]
 
 
-_FEWEST_FLAT = 6
+_FEWEST_FLAT = 6  # samples
 
 
 def _drift(trial: SeatedTrial) -> list[Finding]:

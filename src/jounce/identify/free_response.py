@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from jounce.core.types import Array
 from jounce.identify.motion import Quantity, order_of
 
-_MOST_HALF_CYCLES = 5000
+_MOST_HALF_CYCLES = 5000  # bounds time and memory while a search tries frequencies that are far too high
 
 
 @dataclass(frozen=True)

@@ -21,16 +21,16 @@ from jounce.core.optional import require
 from jounce.core.types import Array
 
 _DEGREES = ((4, 4), (10, 3))  # up to how many unknowns, and of which degree first; more unknowns have squares only
-_HIGHEST = 4
-_ROWS = 1.5  # equations a coefficient
+_HIGHEST = 4  # degree; with values and slopes, ten unknowns need 137 points
+_ROWS = 1.5  # equations a coefficient, so that some are left to judge the polynomial by
 _CHECKS = 16  # draws that are evaluated exactly
-_ROUNDS = 3
+_ROUNDS = 3  # times that points are added where the polynomial is not good enough
 _FOLDS = 8  # parts of the points, each left out in turn
 _GOOD = 0.3  # standard deviation of the error of the log density: weights of draws then differ by as much (1)
 _OUTSIDE = 1e-5  # share of a Gaussian that lies farther out than the polynomial is used
 _FREEDOM = 7.0  # of the proposals' t distribution
 _STRETCH = 0.2  # share of steps that follow the shape of the ensemble instead
-_ENSEMBLES, _WALKERS = 4, 16
+_ENSEMBLES, _WALKERS = 4, 16  # independent chains, by which convergence is judged; walkers of each, or more
 
 Exact = Callable[[Array], "tuple[float, Array, float] | None"]
 """Log density at some unknowns, its slopes, and a part to be added whose slopes are not known; None: no such thing."""

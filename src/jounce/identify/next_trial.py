@@ -27,7 +27,7 @@ from jounce.parts.rig import check_rig, shown_unit_of
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Trial
 
-_TOLERANCE = 1e-7
+_TOLERANCE = 1e-7  # of displacements: its results are slopes, which are less exact than runs
 
 
 @dataclass(frozen=True)

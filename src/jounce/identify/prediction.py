@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 RICHER = "richer value of "
 """Draws of a parameter as it stands in the richer model, before its path."""
-_TOLERANCE = 1e-6
-_TWO_SIDED = 1.959963984540054
+_TOLERANCE = 1e-6  # of displacements, far below what draws differ by
+_TWO_SIDED = 1.959963984540054  # standard deviations to either side of a 95 % interval
 _APART = 0.02  # s by which the lag of a draw may differ from that of their mean
 _AROUND = 0.05  # s over which the level of a signal is taken
 

@@ -18,7 +18,7 @@ from jounce.simulation.compiled import compile_rig
 
 _RANGE = 0.3  # of a mass: as far as it is looked for to either side
 _HALVED = 0.5  # of what is left: other masses that leave less are told
-_STEPS = 3
+_STEPS = 3  # of Gauss and Newton, from an optimum on
 _TOLD_APART = 1e-4  # of the largest singular value: combinations that matter less stay as they are, the scale too
 _BY_MASS = (
     ".rate",

@@ -39,7 +39,8 @@ from jounce.parts.rig import shown_unit_of, unit_of
 # what the data can tell -----------------------------------------------------------------------------------------------
 
 
-_WEAK, _ALIKE = 1e-6, 0.98
+_WEAK = 1e-6  # of the largest norm or singular value: as small as the errors of runs
+_ALIKE = 0.98  # correlation: with the other parameter known, the interval would be a fifth as wide
 
 
 @dataclass(frozen=True)
@@ -503,7 +504,7 @@ def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
     return findings
 
 
-_CORRELATED = 0.9
+_CORRELATED = 0.9  # with the other parameter known, the interval would be less than half as wide
 _FAR = 0.05  # of a mass that was weighed
 
 

@@ -37,11 +37,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-_MARGIN = 0.5
-_SLOWEST = 0.3
-_AS_MUCH = 0.5
-_STANDING = 0.1e-3  # m
-_EXCITER = 0.3
+_MARGIN = 0.5  # s kept before and after the plate's motion
+_SLOWEST = 0.3  # Hz of the tacho, below which the drive stands
+_AS_MUCH = 0.5  # of the shaking of the plate that is named: so much is no car that shakes the other one
+_STANDING = 0.1e-3  # m: exciters of the shipped testers move by 6 mm or more
+_EXCITER = 0.3  # of the stroke: the height of an exciter is found from forces, whose noise is in it
 
 
 @dataclass(frozen=True)

@@ -125,7 +125,7 @@ def grade_differences(
 
 USUAL_TYRE = 200e3
 """Stiffness of a usual car tyre, N/m; that of the reference car on which the methods were compared."""
-_ALIKE = 0.05
+_ALIKE = 0.05  # share by which a tyre must differ from the usual one to be named as a reason
 
 
 def explain(wheel: WheelResult, bands: Mapping[str, VerdictBand], limits: Limits) -> list[Reason]:

@@ -38,13 +38,14 @@ from jounce.parts.testers import Tester
 from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, phase_angle, tyre_rigidity
 
 _ADHESION_LENGTH, _PHASE_LENGTH = 1.2, 2.0  # Hz over which what the model misses may change
-_NEAR = 4.0  # Hz
-_END, _BESIDE = 0.05, 2.0  # Hz
-_TOLERANCE = 1.0  # Hz
-_FEWEST_TURNS = 6
-_LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
-_FEWEST_EXTREMES = 4
-_EVEN = 0.2
+_NEAR = 4.0  # Hz around the least force: turns farther away say less than 1 % of what the model misses there
+_END = 0.05  # Hz: so near to an end of the band, or to a turn with lift-off, is there
+_BESIDE = 2.0  # Hz beyond the band that the curve is smoothed with: the length over which it may change
+_TOLERANCE = 1.0  # Hz by which a hold may miss the 25 Hz for which EGEA's constants of the rigidity are made
+_FEWEST_TURNS = 6  # of the hold: a quarter of a second
+_LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541  # Hz, in steps of 0.025 Hz
+_FEWEST_EXTREMES = 4  # turning points: three swings, two ratios of them
+_EVEN = 0.2  # share by which neighbouring swings of one free decay may last longer or shorter
 _VAGUE = 0.1  # half width of a damping ratio that says nothing any more
 _LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
 

@@ -153,7 +153,7 @@ def body_damping(poles: Complex) -> float:
     return 1.0 if abs(slowest.imag) <= 1e-6 * abs(slowest) else float(-slowest.real / abs(slowest))
 
 
-TRANSIENT = 5
+TRANSIENT = 5  # powers of s from 0 to 4 over the characteristic polynomial, which is of fourth order
 _equations = Loop("quarter_car")
 
 
@@ -180,15 +180,15 @@ _FREE = 6
 _TIED = np.eye(_FREE, 5)
 _TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
 _SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])
-_MASS_SPREAD = 0.2
-_MOST_STEPS = 40
-_ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4
-_FEWEST_BINS = 24
-_GRADIENT_STEP = 1e-5
-_MORE_STEPS = 12
-_START_LINES = 60
-_POOR, _TRIED = 0.97, 6  # share of the force that is explained (1), starts
+_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])  # least sizes by which steps are judged, SI
+_MASS_SPREAD = 0.2  # of what the plate carries: in a car the mass that acts on a wheel differs from it
+_MOST_STEPS, _MORE_STEPS = 40, 12  # with the masses tied to the load, and from there with all six numbers
+_ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4  # relative changes that end these two searches: the first is only a start
+_FEWEST_BINS = 24  # spectral lines: 48 numbers for six of a quarter car and those of the transient
+_GRADIENT_STEP = 1e-5  # relative
+_START_LINES = 60  # spectral lines by which starts are compared
+_POOR, _TRIED = 0.97, 6
+"""Share of the force (1) below which more starts are tried, and how many: dampers with bends leave 0.98."""
 _SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)
 _STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0, 1100.0)  # N/m, N/m for each kg
 TYRES = (5e4, 1.2e6)
@@ -398,7 +398,8 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
 
 
 _DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3
-_SMALL_DELAY, _OF_LEFT, _SURELY = 0.8e-3, 0.45, 3.0  # s, share of what is left (1), standard errors
+_SMALL_DELAY = 0.8e-3  # s: turns the phase angle by 3 degrees at 10 Hz
+_OF_LEFT, _SURELY = 0.45, 3.0  # share of what is left (1): dry friction and bends give a third; standard errors
 _DRIVES = 0.5e-3  # s: negative damping of a tyre over its stiffness
 
 
@@ -480,7 +481,7 @@ def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
 
 
 Response = Callable[[ArrayLike], Complex]
-_AT_END = 0.005  # Hz
+_AT_END = 0.005  # Hz: half of the steps of 0.01 Hz in which least values are looked for
 
 
 @dataclass(frozen=True)

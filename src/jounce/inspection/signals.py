@@ -20,11 +20,15 @@ from jounce.recordings.quality import check_time
 if TYPE_CHECKING:
     import xarray as xr
 
-_ACCELERATION_TIME = 0.021
-_ACCELERATION_ORDER = 7
-_BLOCK_TIME = 0.1
-_OF_OTHER, _IDLE = 0.6, 0.2
-_STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0
+_ACCELERATION_TIME, _ACCELERATION_ORDER = 0.021, 7
+"""Length (s) and order of the polynomials that give a plate's acceleration.
+
+At 1 kHz they err by 0.02 % at 25 Hz and by 0.2 % at 40 Hz, with a 22nd of the noise that second differences of
+neighbouring samples have.
+"""
+_BLOCK_TIME = 0.1  # s: a turn at 10 Hz; of swings of a body little more than 2 % is left about a line through it
+_OF_OTHER, _IDLE = 0.6, 0.2  # of the other plate's shaking and of the least stroke: what a plate gets through the car
+_STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0  # s that a plate must stand before its test, or after it
 _STANDS = 0.1  # standard deviation over mean of a force that is no swing's
 
 
@@ -309,7 +313,7 @@ def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester
     return float(np.max(2.0 * np.abs(blocks[inside]) / centre[inside]))
 
 
-_HYSTERESIS = 0.3
+_HYSTERESIS = 0.3  # of the amplitude, within which noise makes no crossing
 FEWEST_TURNS = 8
 
 

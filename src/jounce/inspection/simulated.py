@@ -36,7 +36,7 @@ from jounce.testers.testing import findings_of_test, simulate_test
 if TYPE_CHECKING:
     import xarray as xr
 
-_RESOLUTION = 0.005  # Hz
+_RESOLUTION = 0.005  # Hz: half of the steps of 0.01 Hz in which least values are looked for
 
 
 @dataclass(frozen=True)

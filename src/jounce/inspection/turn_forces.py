@@ -35,8 +35,8 @@ from jounce.inspection.signals import WheelSignals, plate_acceleration
 from jounce.inspection.sweep import Sweep
 from jounce.kernel.call import Loop
 
-PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
-_POINTS = 1025
+PASS, STOP, RIPPLE = 2.0, 4.0, 0.01  # times the frequency of the turn, share: EGEA SPECSUS2018
+_POINTS = 1025  # of the tabulated half of the filter
 _find = Loop("turn_forces")
 FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
 
@@ -94,10 +94,10 @@ def force_in_periods(
 
 
 _SIZES = np.array([0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0])
-_BELIEVED = 2.0  # log likelihood that a size must win over none
-_FLOOR = 1e-9
-_FEWEST = 8
-_SAME = 0.06  # Hz
+_BELIEVED = 2.0  # log likelihood that a size must win over none: two standard errors
+_FLOOR = 1e-9  # of the largest difference: noise of records without any
+_FEWEST = 8  # turns, below which a curve is not smoothed
+_SAME = 0.06  # Hz: turns of a hold are one place of the curve
 
 
 @dataclass(frozen=True)
@@ -209,12 +209,13 @@ def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array
 
 
 LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
-UNDERFLOW = 0.01
-_BOX_TIME = 0.009
-_AFTER_LIFT_OFF = 0.06
-_SHORTEST_STRETCH = 0.8
+UNDERFLOW = 0.01  # of the static load: a force below it is lift-off
+_BOX_TIME = 0.009  # s over which forces are averaged for that: noise of single samples is none
+_AFTER_LIFT_OFF = 0.06  # s beside lift-off that are left out
+_SHORTEST_STRETCH = 0.8  # s: spectral lines of shorter ones are farther apart than 1.25 Hz
 _WINDOW = (-0.12, 0.63)
-_WHOLE_TURN = (-0.1, 1.1)
+"""Periods after the top of the plate within which its least force is looked for: phase angles of -43 to 227 degrees."""
+_WHOLE_TURN = (-0.1, 1.1)  # without a height, where the turn begins is not known
 _UNDAMPED, _OWN = 0.05, 0.2  # damping ratio, and the share by which lift-off moves the wheel's natural frequency
 _HIGHEST_OF_BODY = 2.5  # Hz; it heaves, pitches and rolls upon the other wheels, too
 

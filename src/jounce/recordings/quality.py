@@ -15,7 +15,7 @@ from jounce.recordings.schema import quantity_of
 LARGEST_JITTER = 0.01  # of the step: a phase error of 2 degrees at half the rate
 OVER_RANGE = 1e20  # SI; loggers write 9.9e37 or 1e30 for missing values
 ROUNDING = 1e-6  # of the step: time written with six digits
-FEWEST_SAMPLES = 8
+FEWEST_SAMPLES = 8  # with fewer there is nothing to estimate a rate, noise or a trend from
 CLIPPED_RUN = 3  # equal samples at a limit: two also occur at a turning point
 FEWEST_CLIPPED = 6  # samples at a limit, two such runs: one may be chance
 _NEVER_CLIPPED = {"slope", "command", "adhesion"}

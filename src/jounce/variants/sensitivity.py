@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.constants import NORMAL_95
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 
@@ -22,7 +23,6 @@ Of the closed forms of Ishigami's function, the g-function and a sum they hold 7
 90 to 100 % of 16 and 32 pairs (each index by itself), without it 43 to 97 % and 77 to 100 %.
 """
 _NEVER_NEGATIVE = ("total", "mean_absolute_effect", "effect_spread")
-_NORMAL = 1.959964  # standard errors to either side of a 95 % interval
 _END = 0.2  # share of the variants at either end of a parameter's range
 _FEWEST = 3
 _LEAST = 1e-12  # of a metric's size: smaller variation is rounding
@@ -247,12 +247,12 @@ def _regression(x: Array, z: Array) -> dict[str, Array]:
     of_target = rankdata(z) - 0.5 * (len(z) + 1)
     size = np.sqrt((ranks**2).sum(axis=0) * (of_target**2).sum())
     alike = (ranks * of_target[:, None]).sum(axis=0) / np.where(size > 0.0, size, 1.0)
-    apart = _NORMAL * np.sqrt((1.0 + 0.5 * alike**2) / max(len(z) - 3, 1))
+    apart = NORMAL_95 * np.sqrt((1.0 + 0.5 * alike**2) / max(len(z) - 3, 1))
     turned = np.arctanh(np.clip(alike, -1.0 + 1e-15, 1.0 - 1e-15))
     return {
         "regression": slopes,
-        "regression_low": slopes - _NORMAL * errors,
-        "regression_high": slopes + _NORMAL * errors,
+        "regression_low": slopes - NORMAL_95 * errors,
+        "regression_high": slopes + NORMAL_95 * errors,
         "rank_correlation": alike,
         "rank_correlation_low": np.tanh(turned - apart),
         "rank_correlation_high": np.tanh(turned + apart),
