@@ -13,6 +13,7 @@ from jounce.control.controller import CallbackController, CommandLimits, Regulat
 from jounce.control.design import CornerModel, corner_equations, corner_outputs, sampled
 from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import Frequency, PositiveLength, PositiveTime
 
@@ -167,7 +168,7 @@ class _Planner:
 
     def __init__(self, mpc: PreviewMPC, setting: RunSetting) -> None:
         corners = tuple(setting.controllers)
-        self.channels = tuple(f"{corner}.{name}" if corner else name for corner in corners for name in _CHANNELS)
+        self.channels = tuple(qualify(corner, name) for corner in corners for name in _CHANNELS)
         self._limits = CommandLimits(setting.controllers)
         steps = max(round(mpc.preview * mpc.rate), 1)
         if steps > _LONGEST:

@@ -80,6 +80,16 @@ def shortened(text: str, most: int) -> str:
 _FORMULA = re.compile(r"'*[=+\-@\t\r\n]")
 
 
+def qualify(place: str, name: str) -> str:
+    """Write a name with its place before it, ``front_left.wheel.az``; the name alone where there is no place."""
+    return f"{place}.{name}" if place else name
+
+
+def place_in(where: str, place: str) -> str:
+    """Write a place of an error or finding with what it is in, ``run.csv: time``; alone where that is not known."""
+    return f"{where}: {place}" if where else place
+
+
 def guarded(text: str) -> str:
     """A text as a cell of CSV: with a ``'`` in front where a spreadsheet would take it for a formula, and run it.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
 from jounce.design.kinematic_study import FreePoint, coordinate
@@ -25,7 +26,7 @@ _LATERAL = 1  # of x, y, z
 
 def full_path(name: str, path: str) -> str:
     """Path of a number of the rig of that name in a study of several."""
-    return f"{name}.{path}" if name else path
+    return qualify(name, path)
 
 
 @dataclass(frozen=True)

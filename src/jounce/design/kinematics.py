@@ -20,6 +20,7 @@ from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
@@ -294,7 +295,7 @@ class KinematicDesign(Plain):
 
 def _head(target: TargetResult, i: int | None = None, unit: str = "") -> str:
     """Name of a target in a table of comma-separated values; its number tells those of one quantity apart."""
-    name = f"{target.rig}.{target.quantity}" if target.rig else target.quantity
+    name = qualify(target.rig, target.quantity)
     text = name if i is None else f"{name} {i}{unit}"
     return f'"{text}"' if "," in text else text
 

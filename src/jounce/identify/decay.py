@@ -1100,8 +1100,10 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     if drag is not None and drag.value > 0.0:
         add("identify.quadratic_drag", drag.value, drag=drag.value, unit=spoken(motion.drag))
     reach, begins = abs(p.release_deflection), abs(p.release_deflection) * p.angular_frequency**2
-    if reach > math.pi if motion.name == "rotation" else begins > _MOST_ACCELERATION:
-        begin = motion.say(reach) if motion.name == "rotation" else f"{reach:.3g} m and {begins / 9.81:.0f} g"
+    is_far, begin = begins > _MOST_ACCELERATION, f"{reach:.3g} m and {begins / 9.81:.0f} g"
+    if motion.name == "rotation":
+        is_far, begin = reach > math.pi, motion.say(reach)
+    if is_far:
         add("identify.decay_begins_far", reach, begin=begin)
     if cycles < 1.5:
         add("identify.decay_few_cycles", cycles, cycles=cycles)

@@ -31,6 +31,7 @@ ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
 """Velocity in m/s over which friction turns over where the rig does not say."""
 SLIDING_OVER = 5e-4
 """Travel in m over which a presliding force builds up."""
+_RATES = {"strut.spring": "strut.spring.rate", "tyre": "tyre.stiffness"}  # paths of elastic parts
 _MIDDLE = 0.5  # of the guide's friction: what builds up over travel, as far as anybody knows
 
 
@@ -146,9 +147,7 @@ class ExtendedRig:
 
     def curve(self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]) -> list[float]:
         """Coefficients of spring or tyre, whose tangent at the static deflection is the rig's rate or stiffness."""
-        rate, rest = (p["strut.spring.rate"], self.extent.strut) if part == "strut.spring" else (
-            p["tyre.stiffness"], self.extent.tyre
-        )  # fmt: skip
+        rate, rest = p[_RATES[part]], {"strut.spring": self.extent.strut, "tyre": self.extent.tyre}[part]
         bends = [self.nuisances[i].mean + self.nuisances[i].deviation * xi[i] for i in places]
         square = rate * bends[0] / (2.0 * rest)
         cube = rate * bends[1] / (3.0 * rest**2) if len(bends) > 1 else 0.0
@@ -158,8 +157,7 @@ class ExtendedRig:
     def elastic_force(self, part: str, p: Mapping[str, float], xi: Array, deflection: Array) -> Array:
         """Force in N of spring or tyre at deflections (m), without preload."""
         if part not in self._curved:
-            rate = p.get("strut.spring.rate" if part == "strut.spring" else "tyre.stiffness", 0.0)
-            return rate * deflection
+            return p.get(_RATES[part], 0.0) * deflection
         coefficients = self.curve(part, p, xi, self._curved[part])
         return np.asarray(np.polyval([*reversed(coefficients), 0.0], deflection))
 

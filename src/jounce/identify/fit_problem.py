@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
 from jounce.core.segments import Segments
 from jounce.core.shown import Shown
+from jounce.core.text import place_in
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.waiting import reached
@@ -651,8 +652,8 @@ def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: i
     values = rig.parameters()
     for path, bounds in free.items():
         if path not in values:
-            raise unknown_path(f"{where}: {path}" if where else path, values, name=path)
-        _range(bounds, values[path] or 1.0, unit_of(rig, path), f"{where}: {path}" if where else path)
+            raise unknown_path(place_in(where, path), values, name=path)
+        _range(bounds, values[path] or 1.0, unit_of(rig, path), place_in(where, path))
 
 
 def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float, float]:

@@ -23,6 +23,11 @@ class Sentence(NamedTuple):
         return self.de if language == "de" else self.en
 
 
+def with_decimal_sign(number: str, language: Language) -> str:
+    """Write a number with a comma where the language has one."""
+    return number.replace(".", ",") if language == "de" else number
+
+
 @dataclass(frozen=True)
 class WheelQuantity:
     """One value of a wheel.
@@ -86,22 +91,20 @@ class WheelQuantity:
             value != limit and self._written(value, decimals) == self._written(limit, decimals) for limit in apart_from
         ):
             decimals += 1
-        text = self._written(value, decimals).replace("-", "−")
-        text = text.replace(".", ",") if language == "de" else text
+        text = with_decimal_sign(self._written(value, decimals).replace("-", "−"), language)
         return self._joined(text) if with_unit else text
 
     def rounded_up(self, half: float, language: Language = "en", *, with_unit: bool = True) -> str:
         """Write a half width of an interval (``si``), rounded up: never narrower than it is."""
         step = 10.0**-self.decimals
         shown = math.ceil(half * self.factor / step - 1e-9) * step
-        text = f"{shown:.{self.decimals}f}"
-        text = text.replace(".", ",") if language == "de" else text
+        text = with_decimal_sign(f"{shown:.{self.decimals}f}", language)
         return self._joined(text) if with_unit else text
 
     def limit_text(self, value: float, language: Language = "en") -> str:
         """Write a limit (``si``) without padding zeros: ``40 %``, ``0.13``."""
         text = f"{value * self.factor:.6g}".replace("-", "−")
-        return self._joined(text.replace(".", ",") if language == "de" else text)
+        return self._joined(with_decimal_sign(text, language))
 
     def _joined(self, text: str) -> str:
         return f"{text}{self.unit}" if self.unit == "°" else f"{text} {self.unit}".strip()

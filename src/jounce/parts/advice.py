@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import remembered
+from jounce.core.text import place_in
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.dampers import MapDamper, VelocityTable
 from jounce.parts.leverage import (
@@ -78,7 +79,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
-    return [at_place(f"{where}: {item.place}" if where else item.place, item) for item in _found(rig)]
+    return [at_place(place_in(where, item.place), item) for item in _found(rig)]
 
 
 @remembered

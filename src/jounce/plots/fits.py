@@ -426,9 +426,9 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter]) -> 
         ends = [] if p.interval is None else [100.0 * (end - middle) / half for end in p.interval]
         if ends:
             axes.plot(np.clip(ends, -108.0, 108.0), [row, row], color=AFTER, linewidth=1.6, alpha=0.6)
-        colour = PALETTE[1] if p.at_bound else AFTER
+        marker, colour, ink = ("s", PALETTE[1], PALETTE[1]) if p.at_bound else ("o", AFTER, INK)
         axes.plot(100.0 * (p.initial - middle) / half, row, "o", markersize=7, color="white", markeredgecolor=MUTED)
-        axes.plot(100.0 * (p.value - middle) / half, row, "s" if p.at_bound else "o", markersize=6, color=colour)
+        axes.plot(100.0 * (p.value - middle) / half, row, marker, markersize=6, color=colour)
         axes.text(
             1.02,
             row,
@@ -436,7 +436,7 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter]) -> 
             transform=axes.get_yaxis_transform(),
             va="center",
             fontsize=8.5,
-            color=colour if p.at_bound else INK,
+            color=ink,
         )
     axes.axvline(-100.0, color=MUTED, linewidth=1.0)
     axes.axvline(100.0, color=MUTED, linewidth=1.0)

@@ -334,22 +334,13 @@ def hardpoint_fit(fit: HardpointFit) -> Figure:
     for axes, (name, one) in zip(grid, fit.quantities.items(), strict=False):
         unit = display_unit(one.unit, float(np.nanmax(np.abs(one.measured), initial=0.0)))
         x = over[order] * along.factor
-        line = "none" if steered else "-"  # poses with several racks lie on no one line
+        before, after = {"ls": "--", "marker": ""}, {"ls": "-", "marker": ""}
+        if steered:  # poses with several racks lie on no one line
+            before, after = {"ls": "none", "marker": "+"}, {"ls": "none", "marker": "o"}
         for values, style in (
-            (
-                one.before,
-                {
-                    "color": MUTED,
-                    "ls": "none" if steered else "--",
-                    "marker": "+" if steered else "",
-                    "label": "before",
-                },
-            ),
+            (one.before, {"color": MUTED, "label": "before", **before}),
             (one.measured, {"color": INK, "ls": "none", "marker": ".", "label": "measured"}),
-            (
-                one.after,
-                {"color": PALETTE[0], "ls": line, "marker": "o" if steered else "", "mfc": "none", "label": "after"},
-            ),
+            (one.after, {"color": PALETTE[0], "mfc": "none", "label": "after", **after}),
         ):
             axes.plot(x, np.array(values)[order] * unit.factor, **style)
         axes.set_title(unit.label(name.replace("_", " ")), loc="left")

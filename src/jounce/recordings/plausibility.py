@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.text import place_in
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.recordings.schema import channel_unit, place_of, quantity_of
@@ -130,7 +131,7 @@ def implausible(
             values,
             step,
             units[name],
-            f"{where}: {name}" if where else name,
+            place_in(where, name),
             (headers or {}).get(name, ""),
             is_read=written is not None,
         )
@@ -143,13 +144,13 @@ def implausible(
 def _of_time(step: float, samples: int, where: str) -> Iterator[Finding]:
     if step > SLOWEST_STEP:
         likely = "ms" if step < 1e3 * SLOWEST_STEP else "µs"
-        place = f"{where}: time" if where else "time"
+        place = place_in(where, "time")
         yield finding("recordings.steps_too_long", place, step, step=step, likely=likely)
     elif step <= _FASTEST_STEP or (step <= _FAST_STEP and samples > _SOME and samples * step < _SHORT):
         severity: Severity = "problem" if step <= _FASTEST_STEP else "warning"
         yield finding(
             "recordings.steps_too_short",
-            f"{where}: time" if where else "time",
+            place_in(where, "time"),
             step,
             severity=severity,
             step=step,
@@ -246,7 +247,7 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
         if work / cycles > MOST_WORK or power > MOST_POWER:
             yield finding(
                 "recordings.work_too_large",
-                f"{where}: {force}" if where else force,
+                place_in(where, force),
                 work / cycles,
                 work=work / cycles,
                 stroke=stroke,
@@ -268,7 +269,7 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
         is_at_rest = np.ptp(channels[name]) <= _ROUNDING * np.max(np.abs(channels[name]))
         if "road" in place_of(name).split(".") or is_at_rest:
             continue
-        yield from _of_sign(channels[name], channels[rate], name, f"{where}: {rate}" if where else rate)
+        yield from _of_sign(channels[name], channels[rate], name, place_in(where, rate))
         first, second = (
             _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
@@ -276,7 +277,7 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
         if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
             yield finding(
                 "recordings.rates_disagree",
-                f"{where}: {rate}" if where else rate,
+                place_in(where, rate),
                 sizes[1] / sizes[0],
                 times=sizes[1] / sizes[0],
                 name=name,

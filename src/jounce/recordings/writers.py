@@ -15,7 +15,7 @@ import numpy as np
 from jounce.core.errors import OutputError
 from jounce.core.optional import require
 from jounce.core.serialise import to_plain
-from jounce.core.text import guarded
+from jounce.core.text import guarded, place_in
 from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
 from jounce.core.writing import Formats, working_folder
 
@@ -91,7 +91,7 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
     for name, holder in holders.items():
         texts: list[tuple[str, Any]] = [("channel", name)]
         texts += [(f"{name} attribute".strip(), str(key)) for key in holder.attrs]
-        texts += [(f"{name}: {key}" if name else str(key), value) for key, value in holder.attrs.items()]
+        texts += [(place_in(name, str(key)), value) for key, value in holder.attrs.items()]
         for where, value in texts:
             text = value if isinstance(value, str) else str(_storable_attribute(value))
             is_wrong = "\0" in text or not _is_unicode(text)

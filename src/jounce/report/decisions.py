@@ -57,9 +57,8 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     ['Answer', 'Metrics']
     """
     facts = [Fact(name, _change(found, name), f"from {_ends(found, name)}") for name in found.objective]
-    end = "converged" if found.converged else "did not converge"
+    end, tone = _ended("converged", "did not converge", found.converged)
     slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
-    tone: Tone = "good" if found.converged else "bad"
     facts.append(Fact("search", end, f"{found.iterations} steps, {found.evaluations} designs, {slopes}", tone))
     answer: list[Block] = [Facts(tuple(facts)), _numbers(found.numbers)]
     if found.constraints:
@@ -89,6 +88,13 @@ def best_design_page(found: BestDesign, *, title: str) -> Page:
         "DesignFront": design_front_page,
     }
     return pages[type(found.found).__name__](found.found, title=title)
+
+
+def _ended(well: str, badly: str, is_well: bool) -> tuple[str, Tone]:
+    """Choose the words for how a search ended, with their tone."""
+    if is_well:
+        return well, "good"
+    return badly, "bad"
 
 
 def _ends(found: Optimisation, name: str) -> str:
@@ -160,8 +166,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     roles = front.roles
     names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
     ends = [Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role]) for role in roles]
-    state = "all designs are optimal" if front.converged else "some designs are not optimal"
-    tone: Tone = "good" if front.converged else "bad"
+    state, tone = _ended("all designs are optimal", "some designs are not optimal", front.converged)
     facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
     marks = (
         TableColumn("design", [mark.name for mark in front.marks]),
@@ -252,8 +257,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
         )
         for name, values in front.goals.items()
     ]
-    state = "all searches came to rest" if front.converged else "some searches did not come to rest"
-    tone: Tone = "good" if front.converged else "bad"
+    state, tone = _ended("all searches came to rest", "some searches did not come to rest", front.converged)
     facts = Facts((*ends, Fact("designs on the front", str(front.count), state, tone)))
     columns = {**front.goals, **front.numbers}
     si = {**front.goal_units, **front.number_units}

@@ -22,7 +22,7 @@ from jounce.inspection.findings import sentence_of
 from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
 from jounce.inspection.limits import Criterion, Limits, VerdictBand
 from jounce.inspection.methods import METHODS, QUANTITIES, method_names
-from jounce.inspection.quantities import LANGUAGES, Language, WheelQuantity
+from jounce.inspection.quantities import LANGUAGES, Language, WheelQuantity, with_decimal_sign
 from jounce.inspection.reasons import Reason, verdict_words
 from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
@@ -435,8 +435,7 @@ def _cell(text: str, half: str = "", band: str = "", tone: str = "") -> Plain:
 
 
 def _number(value: float, decimals: int, language: Language) -> str:
-    text = f"{value:.{decimals}f}"
-    return text.replace(".", ",") if language == "de" else text
+    return with_decimal_sign(f"{value:.{decimals}f}", language)
 
 
 def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language) -> list[Plain]:

@@ -22,6 +22,7 @@ from jounce.core.errors import JounceError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.remembered import Recent
 from jounce.core.segments import Segments, flat
+from jounce.core.text import qualify
 from jounce.core.types import Array, Complex
 from jounce.kernel.engine import Callback, Feedback, feedback
 from jounce.kernel.native import Native, compile_functions
@@ -144,7 +145,7 @@ def _split(path: str) -> tuple[str, str, str]:
 
 
 def _command(corner: str) -> str:
-    return f"{corner}.{_COMMAND}" if corner else _COMMAND
+    return qualify(corner, _COMMAND)
 
 
 def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
@@ -309,7 +310,7 @@ class _Law:
 
     def _road(self, corner: str, times: Array) -> Array:
         """Height (m) of the road under a wheel; it stays constant after the run."""
-        track = f"{corner}.road.z" if corner else "road.z"
+        track = qualify(corner, "road.z")
         signal = self._signals[self._compiled.facts.tracks.index(track)]
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
 

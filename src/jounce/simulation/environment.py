@@ -14,6 +14,7 @@ from jounce.control.laws import Passive
 from jounce.core.errors import DescriptionError, SimulationError, named, unknown
 from jounce.core.optional import require
 from jounce.core.samples import as_samples
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.methods.explicit import integrate
@@ -300,7 +301,7 @@ def _present(run: Stepper, corner: str, words: Sequence[str], default: Sequence[
     """Channels of a corner; default channels may be missing (massless axles)."""
     channels = []
     for word in words:
-        name = f"{corner}.{word}" if corner else word
+        name = qualify(corner, word)
         if name in run.channels:
             channels.append(name)
         elif word not in default:

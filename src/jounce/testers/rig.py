@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments, flat
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.kernel.engine import flatten
 from jounce.mechanics.motions import constant
@@ -156,7 +157,7 @@ def places_of(rig: Rig) -> tuple[str, ...]:
 
 def channel(place: str, name: str) -> str:
     """Name of a channel with the place of its wheel before it."""
-    return f"{place}.{name}" if place else name
+    return qualify(place, name)
 
 
 def _place_of(track: str) -> str:

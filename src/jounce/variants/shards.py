@@ -32,6 +32,7 @@ from jounce.core.files import content_of
 from jounce.core.locking import hold
 from jounce.core.processes import check_workers, refusal
 from jounce.core.serialise import to_json, to_plain
+from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
 from jounce.variants import zarr_shards
@@ -389,7 +390,7 @@ def _version() -> str:
 
 def _flat(value: Any, path: str = "") -> dict[str, Any]:
     if isinstance(value, Mapping):
-        inner = [_flat(item, f"{path}.{key}" if path else str(key)) for key, item in value.items()]
+        inner = [_flat(item, qualify(path, str(key))) for key, item in value.items()]
     elif isinstance(value, list):
         inner = [_flat(item, f"{path}[{i}]") for i, item in enumerate(value)]
     else:

@@ -24,7 +24,7 @@ from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable
 from jounce.core.child_processes import ChildProcess
 from jounce.core.errors import DescriptionError, ResourceError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
-from jounce.core.text import shortened
+from jounce.core.text import qualify, shortened
 from jounce.core.trust import trust_said
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -288,7 +288,7 @@ class _Connection:
         given = {name: self._channel(channel, corner) for name, channel in self.law.inputs.items()}
         places = [self._named(name, component.inputs, "input") for name in given]
         for variable in component.inputs:
-            channel = f"{corner}.{variable.name}" if corner else variable.name
+            channel = qualify(corner, variable.name)
             if variable.name not in given and channel in channels and variable.is_number and not variable.dimensions:
                 given[variable.name] = channel
                 places.append(_VariablePlace(variable.name, variable, 0))
@@ -384,7 +384,7 @@ class _Connection:
 
     def _channel(self, name: str, corner: str) -> str:
         channels = self.setting.units
-        for channel in (f"{corner}.{name}" if corner else name, name):
+        for channel in (qualify(corner, name), name):
             if channel in channels:
                 return channel
         start = f"{corner}."
@@ -699,7 +699,7 @@ _TOUCH = 1e-6  # N that a tyre off the ground may give by rounding
 
 def _channels(setting: RunSetting, name: str) -> list[str]:
     """A channel of every corner."""
-    return [f"{corner}.{name}" if corner else name for corner in setting.controllers]
+    return [qualify(corner, name) for corner in setting.controllers]
 
 
 class _HeldWork:

@@ -210,8 +210,10 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
 def _construction(axes: Axes, name: str, view: View, one: _Centres, *, strong: bool) -> None:
     """Draw what the mechanism turns about in one view."""
     pose = one.pose
-    style: dict[str, Any] = {"linewidth": 1.1 if strong else 0.7, "zorder": 4.5 if strong else 1.2}
-    colours = (_CENTRE, _ROLL, _AXIS) if strong else (_OTHER,) * 3
+    style: dict[str, Any] = {"linewidth": 0.7, "zorder": 1.2}
+    colours = (_OTHER,) * 3
+    if strong:
+        style, colours = {"linewidth": 1.1, "zorder": 4.5}, (_CENTRE, _ROLL, _AXIS)
     ends = [*(one.scene.steering_axis or ())]
     if name in ("front", "side"):
         axes.axhline(MM * pose.ground, color=MUTED, linewidth=0.7, zorder=0.5)
