@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import subprocess
 import sys
 import types
@@ -60,3 +61,21 @@ def test_everything_below_the_plots_needs_no_faces() -> None:
     assert names
     code = f"import sys, importlib\nsys.modules.update(dict.fromkeys({FACES}))\n"
     assert run_python(code + f"for name in {names}: importlib.import_module(name)\nprint('done')") == "done"
+
+
+@pytest.mark.parametrize(
+    ("package", "old", "new"),
+    [
+        ("inspection", "Corner", "LinearQuarterCar"),
+        ("mechanics", "Facts", "ModelFacts"),
+        ("report", "Table", "PageTable"),
+        ("notebook", "Cell", "EmbeddedPage"),
+        ("control.controller", "DamperLaw", "TwoStateLaw"),
+    ],
+)
+def test_old_names_work_and_say_the_new_one(package: str, old: str, new: str) -> None:
+    module = importlib.import_module(f"jounce.{package}")
+    with pytest.warns(DeprecationWarning, match=f"{old} is called {new} now"):
+        value = getattr(module, old)
+    assert value is getattr(module, new)
+    assert old not in dir(module)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +19,7 @@ from jounce.core.description import Description, Seed, check_schema, read_toml
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
+from jounce.core.old_names import with_old_names
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
 from jounce.recordings.schema import channel_unit
@@ -182,11 +182,7 @@ class TwoStateLaw(Controller):
         return self
 
 
-def __getattr__(name: str) -> Any:
-    if name != "DamperLaw":
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    warnings.warn("DamperLaw is the base of laws of dampers in rigs: use TwoStateLaw", DeprecationWarning, stacklevel=2)
-    return TwoStateLaw
+__getattr__ = with_old_names(__name__, {"DamperLaw": "TwoStateLaw"})
 
 
 def given(value: float | None, otherwise: float) -> float:

@@ -5,4 +5,7 @@ The names are those of ``__init__.pyi``; each is loaded on first use.
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+from jounce.core.old_names import with_old_names
+
+_load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__ = with_old_names(__name__, {"Facts": "ModelFacts"}, _load)

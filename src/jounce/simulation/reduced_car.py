@@ -2,9 +2,9 @@
 
 Every corner has its own table: polynomials of its travel, from poses sampled when the run is prepared.
 
-The two share sampling and tables (``sampled``), and little else: under a body that only heaves two masses and a momentum
-say what hangs there, and slopes by parameters follow; under one that turns it takes moments, angular momenta and
-tensors, whose errors are judged by other effects. A corner run as a car of one wheel would compute all of these.
+Both share sampling and tables (``sampled``), and little else. What hangs under a body that only heaves is two masses
+and a momentum, whose slopes by parameters are known, too. Under a body that turns it takes moments, angular momenta
+and tensors, whose errors are judged by other effects; a corner run as a car of one wheel would compute all of these.
 """
 
 from __future__ import annotations
