@@ -27,6 +27,7 @@ from .campaign.bench_fits import fit_measured_decays as fit_measured_decays
 from .campaign.bench_fits import fit_measured_stiffness as fit_measured_stiffness
 from .campaign.bench_fits import read_bench_files as read_bench_files
 from .campaign.model_choice import compare_campaign_models as compare_campaign_models
+from .campaign.new import start_campaign as start_campaign
 from .campaign.posterior import campaign_next_trials as campaign_next_trials
 from .campaign.posterior import campaign_posterior as campaign_posterior
 from .campaign.speed_sweep import speed_sweep as speed_sweep
@@ -77,6 +78,7 @@ from .exchange.chrono import ChronoExport as ChronoExport
 from .exchange.chrono import write_chrono as write_chrono
 from .exchange.equations import Equations as Equations
 from .exchange.equations import equations as equations
+from .exchange.equations import write_equations as write_equations
 from .exchange.fmu.export import FmuExport as FmuExport
 from .exchange.fmu.export import export_fmu as export_fmu
 from .exchange.mjcf import MjcfExport as MjcfExport
@@ -172,6 +174,7 @@ from .recordings import write_recording as write_recording
 from .recordings.carried import recording as recording
 from .recordings.options import RecordFile as RecordFile
 from .report.animation import animate as animate
+from .report.campaign_folder import report_campaign as report_campaign
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.drives import compare_controllers as compare_controllers

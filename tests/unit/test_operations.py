@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
+
 import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.cli.derived import command_of
 from jounce.core.errors import DescriptionError
 from jounce.core.typed import ends
 from jounce.operations.index import operations, resolve
@@ -107,3 +110,49 @@ def test_a_trial_is_made_of_options_and_written_as_python():
     names: dict[str, object] = {}
     exec(request.python(), names)  # noqa: S102 - that is what it is for
     np.testing.assert_array_equal(names["result"]["sprung.az"], result_of(request).recording()["sprung.az"])
+
+
+def test_what_must_be_written_is_a_required_option():
+    operation = operations()["campaign posterior"]
+    assert operation.required == ("folder",)
+    out = inspect.signature(command_of(operation)).parameters["out"]
+    assert out.default is inspect.Parameter.empty
+
+
+def test_a_campaign_is_run_into_a_folder_by_python(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    new = Request(operations()["campaign new"], {"folder": "mine"})
+    exec(new.python(), names)  # noqa: S102 - that is what it is for
+    assert names["result"].to_dict() == result_of(Request(new.operation, {"folder": "other"})).to_dict() | {
+        "folder": "mine"
+    }
+    run = Request(operations()["campaign run"], {"campaign": "mine/campaign.toml", "out": "results", "table": ["csv"]})
+    assert run.words() == ["campaign", "run", "mine/campaign.toml", "--out=results", "--table=csv"]
+    exec(run.python(), names)  # noqa: S102
+    found = names["result"]
+    assert found.is_met
+    assert found.to_dict()["out"] == "results"
+    assert (tmp_path / "results" / "report.html").is_file()
+    assert list((tmp_path / "results" / "tables").glob("*.csv"))
+    with pytest.raises(DescriptionError, match="--figure: unknown form 'mine'"):
+        result_of(Request(run.operation, {"campaign": "mine/campaign.toml", "out": "third", "figure": ["mine"]}))
+
+
+def test_an_export_is_written_by_python_as_by_its_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    given = {"rig": "kart-double-wishbone", "set": {"sprung.mass": "17 kg"}, "out": "kart.xml"}
+    request = Request(operations()["export mjcf"], given)
+    assert request.words() == ["export", "mjcf", "kart-double-wishbone", "--set=sprung.mass=17 kg", "--out=kart.xml"]
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    by_python = (tmp_path / "kart.xml").read_text(encoding="utf-8")
+    assert result_of(Request(request.operation, {**given, "out": "again.xml"})).loops == 2
+    assert (tmp_path / "again.xml").read_text(encoding="utf-8") == by_python
+
+
+def test_a_live_trial_is_python_without_files_and_a_command_with_one():
+    bump = {"kind": "half-sine", "height": "10 mm", "length": "60 mm"}
+    given = {"rig": "kart-quarter-car", "speed": "2 m/s", "duration": "0.5 s"}
+    text = Request(operations()["simulate"], {**given, "road": bump}).python()
+    assert "trial=jn.Trial(road=jn.HalfSine(height='10 mm', length='60 mm'), speed=2.0, duration=0.5)," in text

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 from typing import Annotated, Any
@@ -11,21 +11,121 @@ from typing import Annotated, Any
 import numpy as np
 
 from jounce.campaign.characterise import Knowledge
+from jounce.campaign.description import Campaign, load_campaign
 from jounce.campaign.run import Runner, prepared_campaign
 from jounce.campaign.strategy_result import StrategyResult
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, File, Mark, Switch, Texts, operation
+from jounce.core.optional import require
+from jounce.core.serialise import to_json
+from jounce.core.shown import Shown
+from jounce.core.text import slug
 from jounce.core.units import positive_si, to_si
 from jounce.identify.fit_problem import FitTrial
 from jounce.identify.next_trial import Candidate, NextTrials, next_trials
 from jounce.identify.posterior import Posterior, posterior_with, update_with_density
+from jounce.identify.prediction import PredictionBand
 from jounce.identify.settings import UpdateSettings
+from jounce.recordings.writers import netcdf_of
 from jounce.roads import Trial, read_roads
 
+CAMPAIGN = File("Campaign file with updates.", "CAMPAIGN.toml")
+STRATEGY = Mark("Name of the update; the last one by default.", "STRATEGY")
+NOISE_ONLY = Switch("Count noise only, not what the campaign doubts of model and measurement.")
 _SPEEDS = 5
 _MOST = 500
 Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class CampaignPosterior(Shown):
+    """A posterior with the campaign that it is of, and the files that are written of both.
+
+    Attributes
+    ----------
+    posterior : Posterior
+        Parameters, draws and predictions, SI.
+    campaign : Campaign
+        What was measured.
+    """
+
+    posterior: Posterior
+    campaign: Campaign
+
+    def __str__(self) -> str:
+        return str(self.posterior)
+
+    @property
+    def title(self) -> str:
+        """Title of the campaign."""
+        return self.campaign.title
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values without curves: of each band the share of samples inside."""
+        plain = self._table()
+        del plain["profiles"]
+        return plain
+
+    def files(self) -> dict[str, bytes | str]:
+        """Give the numbers, the draws, and the bands of each trial as files, name to content."""
+        predictions = self.posterior.predictions
+        return {
+            "posterior.json": to_json(self._table()) + "\n",
+            "draws.nc": netcdf_of(self.posterior.samples),
+            **{f"bands/{slug(trial)}.csv": _bands_csv(channels) for trial, channels in predictions.items()},
+        }
+
+    def _table(self) -> dict[str, Any]:
+        plain = self.posterior.to_dict()
+        plain["predictions"] = {
+            trial: {name: {"inside": band.inside, "is_fitted": band.is_fitted} for name, band in channels.items()}
+            for trial, channels in self.posterior.predictions.items()
+        }
+        return plain
+
+
+def _bands_csv(channels: Mapping[str, PredictionBand]) -> str:
+    """Write the bands of one trial as a table, SI."""
+    columns: dict[str, Any] = {"time [s]": next(iter(channels.values())).time}
+    for name, band in channels.items():
+        low, high = band.ends()
+        given = {"measured": band.measured, "mean": band.mean, "lower": low, "upper": high}
+        columns |= {f"{name} {word} [{band.unit}]": values for word, values in given.items()}
+    rows = [",".join(columns), *(",".join(f"{v:.9g}" for v in row) for row in zip(*columns.values(), strict=True))]
+    return "\n".join(rows) + "\n"
+
+
+@operation(
+    "campaign posterior",
+    named={"path": "campaign"},
+    offers=("folder",),
+    required=("folder",),
+    python="jounce.campaign.posterior:campaign_posterior",
+    page="jounce.report.posterior:campaign_posterior_page",
+    terminal="jounce.report.posterior:campaign_posterior_summary",
+    title="{result.title}",
+    doing="reading the campaign",
+    example='jounce campaign posterior campaign.toml --strategy "strategy 2" --out posterior',
+)
+def reported_posterior(
+    path: Annotated[Path | str, CAMPAIGN],
+    strategy: Annotated[str, STRATEGY] = "",
+    *,
+    draws: Annotated[int, Count("Number of draws, at least.", least=1000, most=10_000_000)] = 20_000,
+    seed: Annotated[int, Count("Of everything at random.", least=0)] = 1,
+    noise_only: Annotated[bool, NOISE_ONLY] = False,
+    progress: Progress = lambda _text: None,
+) -> CampaignPosterior:
+    """Draw what the recordings say of an update's parameters, and what that predicts for every trial.
+
+    It is what :func:`jounce.campaign_posterior` does, with the campaign's title and files.
+    """
+    for module in ("emcee", "arviz_stats.base"):
+        require(module, "posterior")
+    options: dict[str, Any] = {"draws": draws, "seed": seed, "noise_only": noise_only, "progress": progress}
+    found = campaign_posterior(path, strategy, **options)
+    return CampaignPosterior(found, load_campaign(path)[0])
 
 
 def campaign_posterior(
@@ -94,8 +194,8 @@ def campaign_posterior(
     example='jounce campaign next campaign.toml --strategy "strategy 4" --strut-angle "26 deg"',
 )
 def campaign_next_trials(
-    path: Annotated[Path | str, File("Campaign file with updates.", "CAMPAIGN.toml")],
-    strategy: Annotated[str, Mark("Name of the update; the last one by default.", "STRATEGY")] = "",
+    path: Annotated[Path | str, CAMPAIGN],
+    strategy: Annotated[str, STRATEGY] = "",
     *,
     speeds: Annotated[
         Sequence[float | str] | None,
@@ -109,9 +209,7 @@ def campaign_next_trials(
         Sequence[float | str] | None, Texts('A tyre pressure, e.g. "0.31 MPa"; repeat it.', "PRESSURE")
     ] = None,
     count: Annotated[int, Count("Trials to choose one after the other.", least=1, most=20)] = 3,
-    noise_only: Annotated[
-        bool, Switch("Count noise only, not what the campaign doubts of model and measurement.")
-    ] = False,
+    noise_only: Annotated[bool, NOISE_ONLY] = False,
     progress: Progress = lambda _text: None,
 ) -> NextTrials:
     """Rank trials that could be run by what they are expected to tell about an update's parameters.

@@ -41,8 +41,8 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
         return answer(operation, given)
 
     own = [_parameter(parameter) for parameter in operation.parameters]
-    offers = [OUTPUTS[offer] for offer in operation.offers if offer not in _own(operation)]
-    files = [(offer.option, offer.kind, None) for offer in offers]
+    offers = [offer for offer in operation.offers if offer not in _own(operation)]
+    files = [(OUTPUTS[offer].option, OUTPUTS[offer].kind, _default(operation, offer)) for offer in offers]
     force = [("force", Force, False)] if files else []
     shared = [*files, *force, ("as_json", AsJson, False)]
     own += [inspect.Parameter(name, _KEYWORD, default=default, annotation=kind) for name, kind, default in shared]
@@ -60,6 +60,11 @@ def _own(operation: Operation) -> list[str]:
     """Offers whose option is a parameter of the function, which fills that folder itself."""
     options = {parameter.option for parameter in operation.parameters}
     return [offer for offer in operation.offers if OUTPUTS[offer].option in options]
+
+
+def _default(operation: Operation, offer: str) -> Any:
+    """Nothing is written unless it is asked for, or must be."""
+    return inspect.Parameter.empty if offer in operation.required else None
 
 
 def _parameter(parameter: Parameter) -> inspect.Parameter:
@@ -109,7 +114,7 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     subject = str(typed.get(operation.subject, ""))
     answered = Answered(operation, subject, result, plain, title, operation.comment.format(**typed, result=result))
     try:
-        missing = files.write(answered)
+        missing = [*files.write(answered), *getattr(result, "missing", ())]
     except KeyboardInterrupt as error:
         if hint := getattr(result, "when_interrupted", ""):
             error.add_note(hint)
@@ -121,10 +126,16 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     def draw(console: Console) -> None:
         from jounce.cli.terminal import show_page
 
-        show_page(console, answered.page())
-        show_written(console, written)
+        show_page(console, answered.summary())
+        show_written(console, {**written, "out": _with_page(written.get("out"))})
 
     return Reply(plain, draw, given["as_json"], _exit_code(result), missing)
+
+
+def _with_page(out: str | None) -> str | None:
+    """Name a folder with the report in it."""
+    page = Path(out or "") / "report.html"
+    return f"{out}, open {page}" if out and page.is_file() else out
 
 
 def _stems(operation: Operation, typed: Mapping[str, Any]) -> dict[str, Any]:

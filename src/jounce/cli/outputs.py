@@ -48,6 +48,13 @@ class Answered:
         page: Page = resolve(self.operation.page)(self.result, title=self.title)
         return page
 
+    def summary(self) -> Page:
+        """Put on a page what a terminal shows."""
+        if not self.operation.terminal:
+            return self.page()
+        page: Page = resolve(self.operation.terminal)(self.result, title=self.title)
+        return page
+
     def figure(self) -> Figure:
         """Draw the result: by the function of the operation, or by that of the result's type."""
         from jounce.plots import figure_of

@@ -242,10 +242,12 @@ class Registration:
     arguments: int = 1
     echo: Mapping[str, str | tuple[str, ...]] = field(default_factory=dict)
     offers: tuple[Offer, ...] = ()
+    required: tuple[Offer, ...] = ()
     names_files: bool = True
     check: str = ""
     python: str = ""
     page: str = ""
+    terminal: str = ""
     figure: str = ""
     title: str = ""
     comment: str = ""
@@ -268,12 +270,14 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         ``named``: parameters whose option has another name. ``faces``: defaults of options that differ from those of
         the function. ``python_only``: parameters without an option. ``arguments``: how many of its first parameters a
         command takes without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
-        ``offers``: what the result can be written as; ``names_files``: whether ``--json`` names these files.
+        ``offers``: what the result can be written as; ``required``: those of them that must be asked for;
+        ``names_files``: whether ``--json`` names these files.
         ``check``: ``module:function`` that refuses options before the work; it takes all of them, by name, as given.
         ``python``: ``module:function`` that Python is offered instead, where it gives another form of the result.
-        ``page``: ``module:function`` that puts the result on a page. ``figure``: ``module:function`` that draws it,
-        where this is not the figure of its type. ``title``, ``comment``: head of the page and first
-        line of a rig file, with options and ``result`` in braces. ``doing``: what is shown while it runs.
+        ``page``: ``module:function`` that puts the result on a page; ``terminal``: that puts on a page what a terminal
+        shows, where this is less. ``figure``: ``module:function`` that draws it, where this is not the figure of its
+        type. ``title``, ``comment``: head of the page and first line of a rig file, with options and ``result`` in
+        braces. ``doing``: what is shown while it runs.
         ``example``: a command line.
 
     Notes

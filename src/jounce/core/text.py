@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Sequence
 from json import dumps as json_text
 from typing import Any
-from unicodedata import category
+from unicodedata import category, normalize
 
 # Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
 _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
@@ -122,3 +122,15 @@ def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
         )
         for row in rows
     ]
+
+
+def slug(text: str) -> str:
+    """Turn a name into a file name: ASCII letters, digits and hyphens, at most 80 of them.
+
+    Examples
+    --------
+    >>> slug("Strategy 2: Größe/all"), slug("?!")
+    ('strategy-2-grosse-all', 'unnamed')
+    """
+    plain = normalize("NFKD", text.replace("ß", "ss")).encode("ascii", "ignore").decode()
+    return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:80].rstrip("-") or "unnamed"

@@ -6,24 +6,26 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import File, Number, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.exchange.corners import corner_of, require_parts
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
 from jounce.parts.dampers import LinearDamper, MapDamper
 from jounce.parts.elements import TableCurve
 from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
 from jounce.parts.leverage import force_at
+from jounce.parts.options import AnyRig
 
 _RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of bodies in Chrono's graphics; others 0.02 m
 _SPINDLE_SHARE, _SPINDLE_SIZE = 0.05, 0.05  # of the upright's mass, m: for a rig without a separate wheel
@@ -53,16 +55,40 @@ class ChronoExport(Plain):
     findings: tuple[Finding, ...]
 
 
-def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, force: bool = False) -> ChronoExport:
-    """Write a 3-D corner as a suspension file of Project Chrono (``.json``).
+@operation(
+    "export chrono",
+    named={"changes": "set", "path": "out"},
+    faces={"wheel_mass": None},
+    echo={"rig": "rig", "out": "out"},
+    page="jounce.report.exchange:chrono_export_page",
+    title="{rig}",
+    doing="writing the suspension",
+    example="jounce export chrono sedan-double-wishbone --out suspension.json",
+)
+def write_chrono(
+    rig: AnyRig,
+    path: Annotated[Path | str, File("Suspension file of Project Chrono to write.", "FILE.json")],
+    *,
+    wheel_mass: Annotated[
+        float | str,
+        Number(
+            "Rim and tyre, which are in other files there: taken out of the wheel. Default: nothing.",
+            "MASS",
+            "kg",
+            is_positive=True,
+        ),
+    ] = 0.0,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> ChronoExport:
+    """Write a 3-D rig as a suspension of Project Chrono: double wishbone, McPherson strut, multi-link.
 
     Double wishbones, McPherson struts and five links of which two are an arm. Heights are relative to the wheel centre,
     as Chrono places a suspension relative to its axle; the left side is written, for ``jounce import chrono``, too.
 
     Parameters
     ----------
-    rig : Rig
-        3-D corner of a car.
+    rig : Rig, str or Path
+        3-D corner of a car, its file or its name.
     path : Path or str
         File to write.
     wheel_mass : float
@@ -94,7 +120,7 @@ def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, f
     wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
     if wheel_mass < 0.0:
         raise DescriptionError("not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more")
-    writing = _ChronoWriter(_left(rig), wheel_mass)
+    writing = _ChronoWriter(_left(as_rig(rig)), wheel_mass)
     table = writing.table()
     write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)
     return ChronoExport(file, table["Template"], tuple(writing.findings))

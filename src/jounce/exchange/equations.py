@@ -6,17 +6,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import casadi as ca
 
+from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.turns import once
 from jounce.core.writing import Formats
 from jounce.exchange.expressions import LATEX, PYTHON, Language, Written, identifiers, latex_name, written
 from jounce.mechanics.facts import speed_of
 from jounce.models import build
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
+from jounce.parts.options import AnyRig
 
 RESULTS = ("M", "Q", "G", "gamma", "dq", "dz")
 _MEANING = {
@@ -154,6 +156,54 @@ _END = """#ifdef __cplusplus
 } /* extern "C" */
 #endif
 """
+
+
+@operation(
+    "export equations",
+    named={"changes": "set", "path": "out"},
+    echo={"rig": "rig", "out": "out"},
+    page="jounce.report.exchange:equations_page",
+    title="{rig}",
+    doing="writing the equations",
+    example="jounce export equations kart-quarter-car --out kart.tex",
+)
+def write_equations(
+    rig: AnyRig,
+    path: Annotated[Path | str, File("File to write: .tex, .py (SymPy), .c or .casadi.", "FILE")],
+    *,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> Equations:
+    """Write the equations of motion of a rig: mass matrix, forces and constraints.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name.
+    path : Path or str
+        File to write: LaTeX (``.tex``), SymPy (``.py``), C (``.c``) or CasADi (``.casadi``).
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Equations
+        As :func:`equations` gives them, SI.
+
+    Raises
+    ------
+    OutputError
+        For another suffix, and an existing file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> write_equations("kart-quarter-car", tempfile.mkdtemp() + "/kart.tex").inputs
+    ('road.z', 'road.vz')
+    """
+    EQUATION_FORMATS.check(path, force=force)
+    found = equations(as_rig(rig))
+    EQUATION_FORMATS.write(found, path, force=force)
+    return found
 
 
 def equations(rig: Rig) -> Equations:

@@ -5,23 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 from xml.etree import ElementTree as ET
 
 import numpy as np
 
 from jounce.core.errors import OutputError
 from jounce.core.findings import Finding
+from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, write_atomically
 from jounce.exchange.corners import corner_of, require_parts
 from jounce.mechanics import Mechanism
 from jounce.models.corner import suspension
-from jounce.parts import Rig
+from jounce.parts import as_rig
 from jounce.parts.corners import Corner
 from jounce.parts.dampers import LinearDamper
 from jounce.parts.elements import BumpStop, Curve
 from jounce.parts.leverage import force_at
+from jounce.parts.options import AnyRig
 
 STEP = 1e-4  # s
 _STIFF = 2.0  # steps, time constant of closing loops: MuJoCo's lower limit
@@ -52,8 +54,22 @@ class MjcfExport(Plain):
     findings: tuple[Finding, ...]
 
 
-def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport:
-    """Write a 3-D corner on its road as MJCF (``.xml``), for MuJoCo.
+@operation(
+    "export mjcf",
+    named={"changes": "set", "path": "out"},
+    echo={"rig": "rig", "out": "out"},
+    page="jounce.report.exchange:mjcf_export_page",
+    title="{rig}",
+    doing="writing the model",
+    example="jounce export mjcf kart-double-wishbone --out kart.xml",
+)
+def write_mjcf(
+    rig: AnyRig,
+    path: Annotated[Path | str, File("Model of MuJoCo to write.", "FILE.xml")],
+    *,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> MjcfExport:
+    """Write a 3-D rig on its road as a model of MuJoCo (MJCF): loops by equality constraints.
 
     All frames coincide in the design pose, so that every place is that of the rig: SI, x forward, y left, z up. Loops
     are closed by equality constraints, rods are tendons of fixed length; spring, damper, stops and friction are
@@ -62,8 +78,8 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
 
     Parameters
     ----------
-    rig : Rig
-        3-D corner of a car.
+    rig : Rig, str or Path
+        3-D corner of a car, its file or its name.
     path : Path or str
         File to write.
     force : bool
@@ -89,6 +105,7 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     (4, 2)
     """
     file = check_writable(path, what="models of MuJoCo", suffixes=(".xml",), force=force)
+    rig = as_rig(rig)
     corner = corner_of(rig, "the rig is no mechanism in space")
     require_parts(corner, "tyre", what="a model of MuJoCo")
     rack = rig.parameters().get("steering.rack_travel", 0.0)

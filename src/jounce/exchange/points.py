@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
+from jounce.core.operation import File, Switch, operation
+from jounce.core.serialise import Plain
 from jounce.core.writing import Formats
 from jounce.exchange.corners import corner_of
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner
+from jounce.parts.options import AnyRig
 
 _MM = 1e3
 _LINES = (
@@ -26,6 +31,38 @@ _LINES = (
 )
 """Lines between points in addition to the links."""
 _TEXT = 8.0  # mm: height of the names
+
+
+@dataclass(frozen=True)
+class HardpointExport(Plain):
+    """Hardpoints that were written: each by its name, x forward, y left, z up from the road, m."""
+
+    hardpoints: Mapping[str, Triple]
+
+
+@operation(
+    "export hardpoints",
+    named={"changes": "set", "path": "out"},
+    echo={"rig": "rig", "out": "out"},
+    python="jounce.exchange.points:write_hardpoints",
+    page="jounce.report.exchange:hardpoint_export_page",
+    title="{rig}",
+    doing="writing the points",
+    example="jounce export hardpoints kart-double-wishbone --out points.csv",
+)
+def export_hardpoints(
+    rig: AnyRig,
+    path: Annotated[Path | str, File("File to write: .csv or .dxf, in mm.", "FILE")],
+    *,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> HardpointExport:
+    """Write the hardpoints of a 3-D rig as a table, or as a drawing for CAD.
+
+    It is what :func:`jounce.write_hardpoints` does.
+    """
+    chosen = as_rig(rig)
+    write_hardpoints(chosen, path, force=force)
+    return HardpointExport(corner_of(chosen, "the rig has no hardpoints").hardpoints.given())
 
 
 def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path:

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import File, Number, Switch, operation
 from jounce.core.serialise import Plain
+from jounce.core.typed import LONGEST
 from jounce.core.types import Array
 from jounce.core.writing import Formats
+from jounce.roads import load_road
 from jounce.roads.road import Road
 
 STEP, WIDTH = 0.01, 4.0  # m
@@ -41,15 +45,36 @@ class RoadExport(Plain):
     findings: tuple[Finding, ...]
 
 
+@operation(
+    "export road",
+    named={"path": "out"},
+    faces={"step": None},
+    echo={"road": "road", "out": "out"},
+    page="jounce.report.exchange:road_export_page",
+    title="{road}",
+    doing="writing the road",
+    example='jounce export road iso:C --length "100 m" --out class-c.crg',
+)
 def write_road(
-    road: Road, path: Path | str, *, length: float | None = None, step: float = STEP, force: bool = False
+    road: Annotated[Road | str | Path, File("A road file, a shipped road, or iso:A to iso:H.", "ROAD", ("roads",))],
+    path: Annotated[Path | str, File("File to write: .crg or .csv.", "FILE")],
+    *,
+    length: Annotated[
+        float | None, Number("Length of the course. Default: to the road's end.", "LENGTH", "m", is_positive=True)
+    ] = None,
+    step: Annotated[
+        float, Number("Between points. Default: 10 mm.", "LENGTH", "m", is_positive=True, most=LONGEST)
+    ] = STEP,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> RoadExport:
-    """Write any road as an OpenCRG file (``.crg``), straight and alike across 4 m, or as a table (``.csv``: x, z).
+    """Write any road as OpenCRG, or as a table of distance and height.
+
+    OpenCRG (``.crg``) is straight and alike across 4 m; a table (``.csv``) has the columns x and z.
 
     Parameters
     ----------
-    road : Road
-        Obstacle, waves, random or measured road.
+    road : Road, str or Path
+        Obstacle, waves, random or measured road; its file, or a name such as ``"iso:C"``.
     path : Path or str
         File to write.
     length : float, optional
@@ -81,6 +106,9 @@ def write_road(
     >>> round(float(again.height_at(1.25)), 9)   # m
     0.01
     """
+    ROAD_FORMATS.check(path, force=force)
+    if not isinstance(road, Road):
+        road = load_road(road) if length is None else load_road(road, length=length)
     known = road.known_length()
     if length is None:
         length = known if np.isfinite(known) else road.end() + 0.5

@@ -77,7 +77,7 @@ class Operation:
         Parameter of the function to what makes it of options.
     has_progress : bool
         Whether the function takes ``progress``, which shows a text while it runs.
-    command, echo, offers, names_files, check, python, page, figure, title, comment, doing, example
+    command, echo, offers, required, names_files, check, python, page, terminal, figure, title, comment, doing, example
         As :func:`jounce.core.operation.operation` takes them.
     """
 
@@ -89,10 +89,12 @@ class Operation:
     has_progress: bool
     echo: Mapping[str, str | tuple[str, ...]]
     offers: tuple[str, ...]
+    required: tuple[str, ...]
     names_files: bool
     check: str
     python: str
     page: str
+    terminal: str
     figure: str
     title: str
     comment: str
@@ -122,9 +124,8 @@ def _operation(row: Mapping[str, Any]) -> Operation:
     parameters = tuple(_parameter(given) for given in row["parameters"])
     makers = {name: MadeBy(**given) for name, given in row["makers"].items()}
     echo = {key: tuple(options) if isinstance(options, list) else options for key, options in row["echo"].items()}
-    return Operation(
-        **{**row, "parameters": parameters, "makers": makers, "echo": echo, "offers": tuple(row["offers"])}
-    )
+    texts = {name: tuple(row[name]) for name in ("offers", "required")}
+    return Operation(**{**row, "parameters": parameters, "makers": makers, "echo": echo, **texts})
 
 
 def _parameter(row: Mapping[str, Any]) -> Parameter:

@@ -13,6 +13,7 @@ from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
+from jounce.core.text import slug
 from jounce.identify.estimate import Estimate
 from jounce.plots.campaign import channels_of
 from jounce.plots.display import correlation, estimate_cells, given, milliseconds, number, percent
@@ -36,7 +37,6 @@ from jounce.report.page import (
     Subsection,
     Tone,
     sections_of,
-    slug,
     unique_slugs,
     worst_first,
 )

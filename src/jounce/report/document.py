@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
-from jounce.core.text import guarded
+from jounce.core.text import guarded, slug
 from jounce.core.workbooks import CONTROL, saved
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
@@ -27,7 +27,6 @@ from jounce.report.page import (
     Picture,
     alignments,
     grouped,
-    slug,
 )
 from jounce.report.typeset import breakable, compiled, missing_letters
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from jounce.core.commands import command_line
 from jounce.core.results import fields_of, fields_table
 from jounce.plots import figure_of
 from jounce.report.page import (
@@ -25,6 +27,7 @@ from jounce.report.page import (
 if TYPE_CHECKING:
     from jounce.campaign.from_folder import FolderCampaign
     from jounce.campaign.model_choice import ModelChoice
+    from jounce.campaign.new import NewCampaign
     from jounce.campaign.test_sheet import TestSheet
     from jounce.identify.calibration import Calibration
 
@@ -41,6 +44,19 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
         ),
     )
     return Page(title or "Campaign of a folder", (Section("Files", (files, Findings(made.findings))),))
+
+
+def new_campaign_page(found: NewCampaign, *, title: str) -> Page:
+    """Put a new campaign on a page: its files, or what measured files were taken for, and how to go on."""
+    campaign = str(found.campaign)
+    run = command_line(["jounce", "campaign", "run", campaign, "--out", "results"])
+    if found.made is not None:
+        page = folder_page(found.made, title=title)
+        return replace(page, sections=(*page.sections, Section("Next", (Bullets((run,)),))))
+    files = Paragraph(f"Files: {', '.join(found.files)}")
+    text = Paragraph("Next: put your measurements there, edit campaign.toml, then")
+    commands = Bullets((command_line(["jounce", "check", campaign]), run))
+    return Page(title, (Section("Files", (files, text, commands)),))
 
 
 def calibration_page(found: Calibration, *, title: str = "") -> Page:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.core.text import slug
 from jounce.plots.display import number
-from jounce.report.page import Block, Findings, Page, PageTable, Picture, Section, Subsection, slug
+from jounce.report.page import Block, Findings, Page, PageTable, Picture, Section, Subsection
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.display import display_unit
 from jounce.core.findings import Finding, not_drawn
+from jounce.core.text import slug
 from jounce.plots.display import number, raised
 
 if TYPE_CHECKING:
@@ -320,18 +320,6 @@ def as_printed(text: str) -> str:
     'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s²'
     """
     return raised(_NEGATIVE.sub("−", text))
-
-
-def slug(text: str) -> str:
-    """Turn a name into a file name: ASCII letters, digits and hyphens, at most 80 of them.
-
-    Examples
-    --------
-    >>> slug("Strategy 2: Größe/all"), slug("?!")
-    ('strategy-2-grosse-all', 'unnamed')
-    """
-    plain = unicodedata.normalize("NFKD", text.replace("ß", "ss")).encode("ascii", "ignore").decode()
-    return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:80].rstrip("-") or "unnamed"
 
 
 def unique_slugs(names: Sequence[str]) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
+from jounce.core.text import slug
 from jounce.plots.display import number
 from jounce.plots.posterior import posterior_bands, posterior_draws, profile_likelihood
 from jounce.report.campaign import SYNTHETIC_NOTE
@@ -24,11 +25,11 @@ from jounce.report.page import (
     Subsection,
     TableColumn,
     sections_of,
-    slug,
     table_of,
 )
 
 if TYPE_CHECKING:
+    from jounce.campaign.posterior import CampaignPosterior
     from jounce.identify.next_trial import NextTrials
     from jounce.identify.posterior import Posterior
 
@@ -82,6 +83,16 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
         title, sections, f"Posterior of {found.name}; {found.counted}", missing=missing,
         banner=f"{SYNTHETIC_NOTE}. {synthetic}" if synthetic else "", figure_note=SYNTHETIC_NOTE if synthetic else "",
     )  # fmt: skip
+
+
+def campaign_posterior_page(found: CampaignPosterior, *, title: str) -> Page:
+    """Put the posterior of a campaign on a page."""
+    return posterior_page(found.posterior, title=title, synthetic=found.campaign.synthetic)
+
+
+def campaign_posterior_summary(found: CampaignPosterior, *, title: str) -> Page:
+    """Put the posterior of a campaign on a page without its figures."""
+    return posterior_summary(found.posterior, title=title)
 
 
 def posterior_summary(found: Posterior, *, title: str) -> Page:

@@ -12,12 +12,13 @@ import numpy as np
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
+from jounce.core.text import slug
 from jounce.core.types import Array
 from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, named_words, scene_panels
-from jounce.report.page import Block, Details, Findings, Page, PageTable, Section, slug
+from jounce.report.page import Block, Details, Findings, Page, PageTable, Section
 
 if TYPE_CHECKING:
     import xarray as xr

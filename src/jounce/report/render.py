@@ -18,13 +18,14 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.optional import require
+from jounce.core.text import slug
 from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats, check_folder, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import Viewer, bundle, live_data
-from jounce.report.page import Page, Picture, alignments, grouped, slug, unique_slugs
+from jounce.report.page import Page, Picture, alignments, grouped, unique_slugs
 from jounce.report.typeset import TYPESETTER, compiled
 
 if TYPE_CHECKING:

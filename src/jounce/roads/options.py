@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any, TypeAlias
 
 from jounce.core.errors import DescriptionError
 from jounce.core.operation import File, MadeBy, Mark, Number
 from jounce.core.typed import quantity
 from jounce.roads.loading import load_road
+from jounce.roads.road import ROADS
 from jounce.roads.trial import Trial
 
 AnyTrial: TypeAlias = Annotated[
@@ -98,14 +100,23 @@ def trial_in_python(**options: Any) -> str:
 
     >>> trial_in_python(road="bump.toml", speed=1.95, duration=3.0)
     "jn.Trial(road=jn.load_road('bump.toml', length=5.85), speed=1.95, duration=3.0)"
+    >>> trial_in_python(road={"kind": "half-sine", "height": "10 mm", "length": "1 m"}, speed=1.95, duration=3.0)
+    "jn.Trial(road=jn.HalfSine(height='10 mm', length='1 m'), speed=1.95, duration=3.0)"
     """
     known = ("road", "speed", "duration", "excitation", "right_road")
     given = _given(*(options.get(name) for name in known))
     written = []
     for name, key in (("road", "road"), ("right_road", "right")):
         if name in options:
-            length = f"{given['speed'] * given['duration']:.10g}"
-            written.append(f"{key}=jn.load_road({options[name]!r}, length={length})")
+            written.append(f"{key}={_road_in_python(options[name], given['speed'] * given['duration'])}")
     given |= {name: _load(name, text) for name, text in options.items() if name not in known}
     given |= {name: options[name] for name in ("excitation",) if name in options}
     return f"jn.Trial({', '.join([*written, *(f'{name}={value!r}' for name, value in given.items())])})"
+
+
+def _road_in_python(road: str | Mapping[str, Any], length: float) -> str:
+    """Write a road as Python: its file or name, or the keys of an obstacle."""
+    if isinstance(road, str):
+        return f"jn.load_road({road!r}, length={length:.10g})"
+    keys = ", ".join(f"{key}={value!r}" for key, value in road.items() if key != "kind")
+    return f"jn.{ROADS[road['kind']].__name__}({keys})"

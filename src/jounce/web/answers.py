@@ -13,6 +13,8 @@ import tomlkit
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.operations.index import operations
+from jounce.operations.request import Request
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -131,7 +133,7 @@ def simulated(
     runs = {label: _run(rig, on) for label, rig in rigs.items()}
     if measured:
         runs[measured] = _measured(project, measured, begins, on)
-    ways = {"digest": digest_of(rigs["as it is"]), **_ways_of(name, changes, trial, on, measured)}
+    ways = {"digest": digest_of(rigs["as it is"]), **_ways_of(name, changes, trial, measured)}
     if spectra:
         from jounce.report.recordings import curve_viewer
         from jounce.web.spectra import spectra_of
@@ -190,21 +192,18 @@ def _measured(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset
     return kept
 
 
-def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], on: Trial, measured: str) -> dict[str, Any]:
+def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], measured: str) -> dict[str, Any]:
     """Python and command of a run."""
-    road = dict(trial["road"])
-    kind = road.pop("kind")
-    python = (
-        f"import jounce as jn\n\nrig = jn.load({name!r}){changed_by(changes)}\n"
-        f"road = jn.{type(on.road).__name__}({arguments(road)})\n"
-        f"run = jn.simulate(rig, jn.Trial(road=road, speed={trial['speed']!r}, duration={trial['duration']!r}))\n"
+    given = {"rig": word(name), "set": changes, "speed": trial["speed"], "duration": trial["duration"]}
+    run, command = (
+        Request(operations()["simulate"], {**given, "road": road}) for road in (dict(trial["road"]), "road.toml")
     )
+    python = f"import jounce as jn\n\nrun = {run.expression()}\n"
     if measured:
         python += f"measured, findings = jn.read_recording({measured!r})\n"
-    command = ["jounce", "simulate", word(name), *set_by(changes), "--road", "road.toml"]
-    command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
-    table = tomlkit.dumps({"kind": kind, **road})
-    return {"python": python, "command": command_line(command), "files": {"road.toml": table}}
+    words = ["jounce", *command.words(), "--out", "run.nc"]
+    road = {"kind": trial["road"]["kind"], **trial["road"]}  # the kind stands first
+    return {"python": python, "command": command_line(words), "files": {"road.toml": tomlkit.dumps(road)}}
 
 
 def variants(project: Project, name: str, changes: Changes, text: str | None = None) -> dict[str, Rig]:
@@ -262,11 +261,6 @@ def word(path: str) -> str:
 def changed_by(changes: Changes) -> str:
     """Python that changes a rig."""
     return f".with_changes({dict(changes)!r})" if changes else ""
-
-
-def set_by(changes: Changes) -> list[str]:
-    """Options that change a rig."""
-    return [f"--set={path}={value}" for path, value in changes.items()]
 
 
 def arguments(given: Mapping[str, Any], before: str = "") -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -12,15 +12,14 @@ from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.operations.index import operations
+from jounce.operations.request import Request
 from jounce.web.answers import (
     ONE,
     Changes,
     CurvesAnswer,
-    arguments,
-    changed_by,
     digest_of,
     rig_of,
-    set_by,
     variants,
     word,
 )
@@ -184,19 +183,9 @@ def _band(one: Wanted, pane: Pane, along: str) -> dict[str, Any]:
 
 
 def _ways(asked: Question) -> dict[str, Any]:
-    load = f"import jounce as jn\n\nrig = jn.load({asked.rig!r}){changed_by(asked.changes)}\n"
-    calls: dict[str, Callable[[], str]] = {
-        "travel": lambda: f"jn.sweep_travel(rig, {asked.travel!r}{arguments(_given(asked, 'rack'), ', ')})",
-        "rack": lambda: f"jn.sweep_rack(rig, {asked.rack!r}{arguments(_given(asked, 'travel'), ', ')})",
-        "roll": lambda: f"jn.sweep_roll(rig, {asked.roll!r}{arguments(_given(asked, 'rack'), ', ')})",
-    }
-    command = ["jounce", "kinematics", word(asked.rig), *set_by(asked.changes)]
-    others = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
-    command += [f"--{name}={value}" for name in others if (value := getattr(asked, name))]
-    command += ["--out", "curves.csv"]
-    return {"python": f"{load}curves = {calls[asked.over]()}\n", "command": command_line(command), "files": {}}
-
-
-def _given(asked: Question, name: str) -> dict[str, Any]:
-    value = getattr(asked, name)
-    return {name: value} if value else {}
+    over = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
+    coordinates = {name: value for name in over if (value := getattr(asked, name))}
+    request = Request(operations()["kinematics"], {"rig": word(asked.rig), "set": asked.changes, **coordinates})
+    python = f"import jounce as jn\n\ncurves = {request.expression()}.data\n"
+    command = command_line(["jounce", *request.words(), "--out", "curves.csv"])
+    return {"python": python, "command": command, "files": {}}

@@ -123,13 +123,8 @@ class CampaignTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         file, out = _file(project, self.campaign), _folder(project, self.out)
-        python = (
-            "import jounce as jn\nfrom jounce.report import write_campaign\n\n"
-            f"result = jn.run_campaign({file!r})\n"
-            f"write_campaign(result, {out!r}{', force=True' if self.force else ''})\n"
-        )
-        words = ["campaign", "run", file, f"--out={out}", *(["--force"] if self.force else [])]
-        return Doing(f"Campaign: {title_of(project, file)}", words, python=python, out=out,
+        request = _request("campaign run", {"campaign": file, "out": out, "force": self.force})
+        return Doing(f"Campaign: {title_of(project, file)}", request.words(), python=request.python(), out=out,
                      page=f"{out}/report.html")  # fmt: skip
 
 
@@ -351,8 +346,9 @@ class NewCampaignTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         out = _folder(project, self.out)
-        python = f"import jounce as jn\n\nfile = jn.new_campaign({out!r})\n"
-        return Doing(f"Campaign to start from in {out}", ["campaign", "new", out], python=python, patience=60.0)
+        request = _request("campaign new", {"folder": out})
+        title = f"Campaign to start from in {out}"
+        return Doing(title, request.words(), python=request.python(), patience=60.0)
 
 
 class TestTask(_Task):

@@ -7,6 +7,7 @@ import pytest
 
 from jounce.core.errors import OutputError
 from jounce.core.findings import Finding
+from jounce.core.text import slug
 from jounce.plots import new_figure
 from jounce.report import (
     Bullets,
@@ -23,7 +24,7 @@ from jounce.report import (
     Subsection,
 )
 from jounce.report import write_page as write
-from jounce.report.page import grouped, slug, unique_slugs, worst_first
+from jounce.report.page import grouped, unique_slugs, worst_first
 from jounce.report.render import inline_svg
 
 BOTH = ("svg", "png")

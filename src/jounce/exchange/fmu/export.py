@@ -9,11 +9,12 @@ import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Any, Literal
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
-from jounce.core.errors import OutputError, SimulationError
+from jounce.core.errors import DescriptionError, OutputError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Count, File, MadeBy, Mark, Switch, Texts, operation
 from jounce.core.optional import how_to_install
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, working_folder, write_atomically
@@ -23,7 +24,7 @@ from jounce.exchange.fmu.graphs import graphs_of, header, source
 from jounce.exchange.fmu.reference import reference
 from jounce.exchange.fmu.subject import subject_of
 from jounce.mechanics import Mechanism
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.parts.testers import Tester, load_tester
 from jounce.simulation.controlled import AnyControl
 
@@ -66,20 +67,66 @@ class FmuExport(Plain):
     findings: tuple[Finding, ...]
 
 
-def export_fmu(
-    rig: Rig | Mechanism,
-    path: Path | str,
+_AXLES = ("front", "rear")
+
+
+def check_fmu(*, sources_only: bool, platform: Any, axle: str | None, tester: str | None, **_others: Any) -> None:
+    """Refuse platforms for which nothing is compiled, and an axle without a tester."""
+    if sources_only and platform:
+        what = "--platform says for what is compiled, and --sources-only that nothing is"
+        raise DescriptionError(what, found=platform, hint="Leave one of them out.")
+    if axle is not None and axle not in _AXLES:
+        raise unknown(axle, _AXLES, what="axle", where="--axle")
+    if axle is not None and tester is None:
+        raise DescriptionError(
+            "only a tester takes one axle", where="--axle", found=axle, allowed="--axle with --tester"
+        )
+
+
+@operation(
+    "export fmu",
+    named={"changes": "set", "path": "out", "version": "fmi", "platforms": "platform"},
+    faces={"axle": None},
+    python_only=("adjoint",),
+    echo={"rig": "rig", "control": "control", "tester": "tester", "out": "out"},
+    check="jounce.exchange.fmu.export:check_fmu",
+    page="jounce.report.exchange:fmu_page",
+    title="{rig}",
+    doing="writing the FMU",
+    example="jounce export fmu kart-quarter-car --out kart.fmu",
+)
+def export_fmu(  # noqa: PLR0913 - each is an option of the command
+    rig: Annotated[
+        Rig | str | Path | Mechanism,
+        MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python"),
+    ],
+    path: Annotated[Path | str, File("File to write.", "CAR.fmu")],
     *,
-    version: Literal[2, 3] = 3,
-    platforms: Sequence[str] | None = None,
-    control: AnyControl | None = None,
-    tester: Tester | Path | str | None = None,
-    axle: Literal["front", "rear"] = "front",
-    controller_only: bool = False,
+    version: Annotated[Literal[2, 3], Count("Version of FMI: 2 or 3.")] = 3,
+    platforms: Annotated[
+        Sequence[str] | None,
+        Texts(
+            "Compile for x86_64-linux, aarch64-linux, x86_64-windows, x86_64-darwin or aarch64-darwin; repeat it. "
+            "Default: this machine. Others need the extra fmu.",
+            "PLATFORM",
+        ),
+    ] = None,
+    sources_only: Annotated[bool, Switch("Compile nothing: the FMU holds its C.")] = False,
+    control: Annotated[
+        AnyControl | None, Mark("Controller to put in: a name such as skyhook, or a file.", "CONTROL")
+    ] = None,
+    tester: Annotated[
+        Tester | Path | str | None,
+        Mark("Put it on a tester of shock absorbers: a name such as eusama, or a file.", "TESTER"),
+    ] = None,
+    axle: Annotated[
+        Literal["front", "rear"], Mark("Axle of a vehicle on the tester: front or rear. Default: front.", "AXLE")
+    ] = "front",
+    controller_only: Annotated[bool, Switch("Write the controller by itself, as it is tuned for the rig.")] = False,
     adjoint: bool = True,
-    force: bool = False,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> FmuExport:
-    """Write a rig as an FMU for model exchange and co-simulation (FMI 2.0 or 3.0).
+    """Write a rig or vehicle as a Functional Mock-up Unit: model exchange and co-simulation in one file.
 
     The FMU holds the equations that :func:`jounce.simulate` integrates, as C and compiled. Its inputs are the heights
     of the roads (m, up) with their rates and the loads of driving; its outputs the channels; every number of the rig
@@ -87,9 +134,9 @@ def export_fmu(
 
     Parameters
     ----------
-    rig : Rig or Mechanism
-        Rig or vehicle; or a user's mechanism with a value for each parameter (``mechanism.<path>``), which starts
-        in its design pose.
+    rig : Rig, str, Path or Mechanism
+        Rig or vehicle, its file or its name; or a user's mechanism with a value for each parameter
+        (``mechanism.<path>``), which starts in its design pose.
     path : Path or str
         File to write, ``.fmu``.
     version : {2, 3}
@@ -97,6 +144,8 @@ def export_fmu(
     platforms : sequence of str, optional
         Platforms to compile for (see :data:`jounce.control.fmu.platforms.PLATFORMS`); this machine's by default. All
         but this machine's need the extra ``fmu``; none (``()``) gives the sources alone.
+    sources_only : bool
+        Compile nothing, as with no platforms.
     control : Controller, str, Path or callable, optional
         Controls the struts, as in :func:`jounce.simulate`; it becomes a sampled part of the FMU.
     tester : Tester, Path or str, optional
@@ -137,6 +186,8 @@ def export_fmu(
     file = check_writable(path, what="FMUs", suffixes=(".fmu",), force=force)
     if version not in (2, 3):
         raise OutputError("no such version of FMI", where="version", found=version, allowed="2, 3")
+    rig = rig if isinstance(rig, Mechanism) else as_rig(rig)
+    platforms = () if sources_only else platforms
     wanted = (this_platform(),) if platforms is None else tuple(dict.fromkeys(platforms))
     compiler = native.compiler_for(wanted)
     findings = []

@@ -1,0 +1,67 @@
+"""What was written for other programs, as a page: what it holds, and what it cannot represent."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Section
+
+if TYPE_CHECKING:
+    from jounce.core.findings import Finding
+    from jounce.exchange.chrono import ChronoExport
+    from jounce.exchange.equations import Equations
+    from jounce.exchange.fmu.export import FmuExport
+    from jounce.exchange.mjcf import MjcfExport
+    from jounce.exchange.points import HardpointExport
+    from jounce.exchange.roads import RoadExport
+
+
+def fmu_page(found: FmuExport, *, title: str) -> Page:
+    """Put the export of an FMU on a page."""
+    binaries = f"for {', '.join(found.platforms)}" if found.platforms else "as sources only"
+    facts = (
+        Fact("inputs", ", ".join(found.inputs) or "none"),
+        Fact("outputs", str(len(found.outputs))),
+        Fact("states", str(found.states)),
+        Fact("parameters", str(found.parameters)),
+    )
+    text = f"FMI {found.version}.0, model exchange and co-simulation, {binaries}"
+    return _page(title, "FMU", [Paragraph(text), Facts(facts)], found.findings)
+
+
+def equations_page(found: Equations, *, title: str) -> Page:
+    """Put the names in equations of motion on a page."""
+    words = ("coordinates", "speeds", "inputs", "modes", "constraints")
+    facts = tuple(Fact(word, ", ".join(getattr(found, word)) or "none") for word in words)
+    text = Paragraph("M a = Q + G^T lambda, G a + gamma = 0, dq/dt = dq; SI")
+    return _page(title, "Equations of motion", [text, Facts(facts)])
+
+
+def hardpoint_export_page(found: HardpointExport, *, title: str) -> Page:
+    """Say how many hardpoints were written."""
+    text = Paragraph(f"{len(found.hardpoints)} hardpoints in mm: x forward, y left, z up from the road")
+    return _page(title, "Hardpoints", [text])
+
+
+def chrono_export_page(found: ChronoExport, *, title: str) -> Page:
+    """Say which template of Project Chrono was written."""
+    text = Paragraph(f"{found.template} of Project Chrono, left side; heights count from the wheel centre")
+    return _page(title, "Project Chrono", [text], found.findings)
+
+
+def mjcf_export_page(found: MjcfExport, *, title: str) -> Page:
+    """Say what a model of MuJoCo consists of."""
+    parts = f"{found.bodies} bodies, {found.joints} joints, {found.loops} loops"
+    return _page(title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], found.findings)
+
+
+def road_export_page(found: RoadExport, *, title: str) -> Page:
+    """Say how many points of a road were written."""
+    text = Paragraph(f"{found.points} points over {found.length:g} m")
+    return _page(title, "Road", [text], found.findings)
+
+
+def _page(title: str, what: str, blocks: Sequence[Block], findings: Sequence[Finding] = ()) -> Page:
+    more = (Findings(tuple(findings)),) if findings else ()
+    return Page(title, (Section(what, (*blocks, *more)),), what)
