@@ -195,6 +195,7 @@ def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str)
     ``moving`` are the first sample of the plate's motion and the one behind the last; the static load is in N.
     """
     inside, outside = raw[slice(*moving)], np.concatenate([raw[: moving[0]], raw[moving[1] :]])
+    # A fifth of the time of the motion says how the force of a standing plate scatters.
     if outside.size < 0.2 * inside.size or np.std(inside) >= min(_STILL * np.std(outside), _STILL_OF_LOAD * load):
         return []
     words = {"moves": float(np.std(outside)), "still": float(np.std(inside))}
@@ -210,6 +211,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
         return []
     place = f"{signals.wheel}.plate.z"
     stroke, force = float(np.ptp(signals.height)), float(np.max(np.abs(raw)))
+    # Under 100 N no wheel stands on a plate, and no plate moves by 0.2 m or lies 0.3 m from where it is measured.
     if force < 100.0 and (stroke > 0.2 or abs(float(np.median(signals.height))) > 0.3):
         return [problem(place, "columns_swapped", stroke, stroke=1e3 * stroke, force=force)]
     if stroke == 0.0:
@@ -219,6 +221,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
     ratio = stroke / tester.stroke
     if tester.kind == "rigid-plate":
         return _rigid_stroke(place, ratio, stroke, tester)
+    # Above its resonance a plate on a spring moves less than its exciter; at it, without a damper, many times as much.
     if not 0.15 < ratio < 30.0:
         return [problem(place, "stroke_unit", stroke, stroke=1e3 * stroke, expected=1e3 * tester.stroke)]
     return []
@@ -229,7 +232,7 @@ def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> li
     for factor, unit in LENGTH_UNITS.items():
         if abs(ratio / factor - 1.0) < 2.0 * _NEAR:
             return [problem(place, "height_unit", ratio, unit=unit, **words)]
-    if not 0.7 < ratio < 1.4:
+    if not 0.7 < ratio < 1.4:  # of a stroke of 6 mm, below 4.2 or above 8.4 mm: another tester
         return [problem(place, "stroke_wrong", ratio, **words)]
     if abs(stroke - tester.stroke) > tester.limits.stroke_tolerance:
         return [warning(place, "stroke_off", ratio, allowed=1e3 * tester.limits.stroke_tolerance, **words)]
@@ -291,9 +294,10 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
     if set(loads) != {"left", "right"} or set(measured) != {"left", "right"}:
         return []
     left, right = loads["left"], loads["right"]
+    # Sides that were swapped fit crosswise within what a load may be off without a warning, and not as they are.
     if left is None or right is None or max(_off(measured[side], loads[side]) for side in loads) < 0.03:
         return []
-    if max(_off(measured["left"], right), _off(measured["right"], left)) < 0.02:
+    if max(_off(measured["left"], right), _off(measured["right"], left)) < _WEIGHT_WARNING:
         return [problem("left, right", "sides_swapped", left_load=left, right_load=right, **measured)]
     if all(
         _unit_of(measured[side] / load) is not None or _is_turned(measured[side], load)
@@ -317,7 +321,7 @@ def check_sampling(signals: WheelSignals, tester: Tester | None) -> list[Finding
     wanted = limits_of(tester).sampling_frequency_min
     if rate < _SLOWEST_SAMPLING:
         return [problem(place, "samples_too_few", rate, rate=rate, wanted=wanted)]
-    if rate < 0.999 * wanted:
+    if rate < 0.999 * wanted:  # clocks written with few digits
         return [warning(place, "samples_few", rate, rate=rate, wanted=wanted)]
     return []
 
@@ -406,7 +410,7 @@ def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, h
 
     It is looked at over a swing of the body; of a wheel that hops, whose body is thrown about, over all of the test.
     """
-    known = np.isfinite(mean) & (frequency > 6.0)
+    known = np.isfinite(mean) & (frequency > 6.0)  # Hz: slower turns are few, and swings of the body
     if np.count_nonzero(known) < 12:
         return []
     smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING)

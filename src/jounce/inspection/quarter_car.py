@@ -187,8 +187,9 @@ _ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4  # relative changes that end these two 
 _FEWEST_BINS = 24  # spectral lines: 48 numbers for six of a quarter car and those of the transient
 _GRADIENT_STEP = 1e-5  # relative
 _START_LINES = 60  # spectral lines by which starts are compared
-_POOR, _TRIED = 0.97, 6
-"""Share of the force (1) below which more starts are tried, and how many: dampers with bends leave 0.98."""
+POOR, _TRIED = 0.97, 6
+"""Share of the force (1) below which more starts are tried and a fit is doubted, and how many: dampers with bends leave
+0.98."""
 _SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)
 _STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0, 1100.0)  # N/m, N/m for each kg
 TYRES = (5e4, 1.2e6)
@@ -278,7 +279,7 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
     scale = 1.0 / math.sqrt(sum(one.samples for one in stretches) / len(stretches))
     parts = [Stretch(one.s, one.height * scale, one.force * scale, one.samples) for one in stretches]
     fit = _fitted(parts, _start(parts, mass), mass)
-    if _merit(fit) < _POOR:
+    if _merit(fit) < POOR:
         fit = max([fit, *(_fitted(parts, start, mass) for start in _more_starts(parts, mass))], key=_merit)
     return fit
 

@@ -107,7 +107,7 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
     last = first + int(np.argmin(frequency[first:]))
     begun = first
-    while begun > 0 and frequency[begun - 1] > 0.97 * top:
+    while begun > 0 and frequency[begun - 1] > 0.97 * top:  # a little lower than its end, so that noise cuts no hold
         begun -= 1
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
     sweep = Sweep(turns, first, last, slice(begun, first + 1), rate)
@@ -248,7 +248,7 @@ def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
 def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Finding]:
     findings = []
     most, least = limits_of(tester).sweep_rate_max, limits_of(tester).sweep_time_min
-    if sweep.sweep_rate > 1.02 * most:
+    if sweep.sweep_rate > 1.02 * most:  # 2 % more, and below less time, is how well both are read from turns
         findings.append(warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most))
     top = sweep.turns.top
     length = float(top[sweep.last] - top[sweep.first])

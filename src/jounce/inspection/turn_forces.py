@@ -20,6 +20,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array, Complex
 from jounce.inspection.findings import problem, warning
 from jounce.inspection.quarter_car import (
+    POOR,
     TYRES,
     LinearQuarterCar,
     ResponseFit,
@@ -318,10 +319,10 @@ def fit_test(
     except FitError as error:
         return None, [warning(place, "not_fitted", text=error.what)]
     strange = not TYRES[0] < fit.corner.tyre_stiffness < TYRES[1]
-    doubtful = strange or fit.explained < 0.9
+    doubtful = strange or fit.explained < 0.9  # a height with the wrong sign is worth another fit
     if doubtful and not upright and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
         return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
-    if strange or fit.explained < 0.3:
+    if strange or fit.explained < 0.3:  # a car without dampers, which is more than a quarter car, leaves 0.75
         stiffness = fit.corner.tyre_stiffness
         return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
     fit = replace(fit, delay=delay_of(fit, stretches, signals.plate_mass))
@@ -351,11 +352,12 @@ def _doubts(
 ) -> list[Finding]:
     place = f"{signals.wheel}.plate.force"
     findings = []
-    if fit.explained < 0.97:
+    if fit.explained < POOR:
         findings.append(warning(place, "poor_fit", fit.explained, percent=100.0 * fit.explained))
     for one, unexplained in zip(stretches, left, strict=True):
         size = 2.0 / one.samples * np.abs(unexplained)
         at = int(np.argmax(size))
+        # Of noise, whose lines are spread like Rayleigh's, next to none is six times the median, let alone twelve.
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(one.s[at].imag / (2.0 * np.pi))
             code = "swings_on" if _is_own(frequency, fit.corner) else "vibrates"
