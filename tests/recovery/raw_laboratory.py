@@ -384,6 +384,7 @@ def truths(lab: Laboratory) -> dict[str, float]:
         "strut.damper.rebound_coefficient": bench.rebound,
         "guide.friction.force": bench.guide,
         "tyre.stiffness": bench.tyre[0.31],
+        "tyre.damping_coefficient": bench.tyre_damping,
     }
 
 

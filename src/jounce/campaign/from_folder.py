@@ -16,6 +16,7 @@ import tomlkit
 
 from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials, unread_headings
 from jounce.campaign.recogniser import RecognisedFile, recognise
+from jounce.core.columns import name_and_unit
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import to_plain
@@ -31,6 +32,8 @@ _FITTED = 3
 _START_DAMPING = "150 N*s/m"
 """Where the search for the damper begins: its bounds reach from 0.2 to 3 times this."""
 _DAMPING_BOUNDS = ["30 N*s/m", "450 N*s/m"]
+_TYRE_DAMPING_BOUNDS = ["0 N*s/m", "100 N*s/m"]
+"""Nobody measures a tyre's damping: held at a guess it moves the damper, and the masses that are to make up for it."""
 _SAME_PRESSURE = 0.02
 """Share by which a pressure in a file's name may differ from the table's and still be the same."""
 _SAME_RATE = 0.01
@@ -217,6 +220,7 @@ class _Maker:
         document["sensors"] = {
             channel.measures: self._sensor(name, channel) for name, channel in self.laboratory.channels.items()
         }
+        self._check_columns()
         document["bench"] = self._bench()
         document["roads"] = self._roads()
         if not self._records().keys() & self.rows.keys():
@@ -232,6 +236,20 @@ class _Maker:
 
     def rig(self) -> str:
         return quarter_car_text(self.raw["sprung_mass"], self.raw["unsprung_mass"], self._angle())
+
+    def _check_columns(self) -> None:
+        """Say which columns of the settings no record has, and name those that the records do have."""
+        there = {name for item in self.files for name in item.signals}
+        belt = self.laboratory.belt
+        asked = {f"channels.{column}": column for column in self.laboratory.channels}
+        if belt is not None and belt.pulses is not None:
+            asked["belt.column"] = belt.column
+        for place, column in asked.items():
+            if there and column and not {column, name_and_unit(column)[0]} & there:
+                self._note("campaign.no_such_column", place, column=column, columns=", ".join(sorted(there)))
+        pulsed = sorted({item.columns["pulses"] for item in self._of("trial") if "pulses" in item.columns})
+        if pulsed and belt is not None and not (belt.column and belt.pulses):
+            self._note("campaign.pulses_not_used", "belt", columns=", ".join(pulsed))
 
     def _relative(self, file: Path) -> str:
         return Path(os.path.relpath(file, self.folder)).as_posix()
@@ -423,6 +441,7 @@ class _Maker:
         if self.laboratory.rig:
             bounds = {"strut.damper.coefficient": "50 %"}
         usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}
+        tyre_damping = {} if self.laboratory.rig else {"tyre.damping_coefficient": _TYRE_DAMPING_BOUNDS}
         if self.strategies == "default":
             yield {
                 "name": "stiffness, damping and friction",
@@ -431,6 +450,7 @@ class _Maker:
                     **bounds,
                     "tyre.stiffness": "20 %",
                     "guide.friction.force": ["0 N", "40 N"],
+                    **tyre_damping,
                 },
                 **usual,
             }

@@ -74,6 +74,8 @@ class RecognisedFile(Shown):
         Step of the samples that its header says, s, where it has no time.
     rate : float or None
         Samples a second of a record over time, Hz.
+    signals : tuple of str
+        Columns of a record over time, without the time.
     """
 
     file: Path
@@ -86,6 +88,7 @@ class RecognisedFile(Shown):
     time: str = ""
     sample_time: float | None = None
     rate: float | None = None
+    signals: tuple[str, ...] = ()
 
 
 def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[RecognisedFile]:
@@ -166,7 +169,8 @@ def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> 
     if not signals:
         return RecognisedFile(file, "unknown", "time, and no other column of numbers")
     rate = (len(seconds) - 1) / float(seconds[-1] - seconds[0]) if seconds[-1] > seconds[0] else None
-    return replace(_of_signals(file, seconds, signals, settings), time=spec, sample_time=step, rate=rate)
+    item = _of_signals(file, seconds, signals, settings)
+    return replace(item, time=spec, sample_time=step, rate=rate, signals=tuple(column.name for column in signals))
 
 
 def _time(table: ColumnTable) -> Column | None:

@@ -185,3 +185,30 @@ def test_a_doubtful_test_and_one_with_other_headings_leave_the_others_alone(lab:
     assert places["campaign.other_columns"] == "tyre_0.31MPa_3.csv"
     text = made.campaign.read_text(encoding="utf-8")
     assert [name in text for name in ("MPa_1", "MPa_2", "MPa_3", "MPa_9")] == [True, True, False, False]
+
+
+def test_columns_of_the_settings_that_no_record_has_are_named(lab: Path, tmp_path: Path) -> None:
+    settings = SETTINGS.replace('"1.97 m"}', '"1.97 m", radius = "50 mm", pulses = 12, column = "photo"}')
+    (lab / "settings.toml").write_text(settings.replace("body =", "bodi ="), encoding="utf-8")
+    made = jn.campaign_from_folder(tmp_path / "made", lab)
+    told = {item.place: str(item) for item in made.findings if item.code == "campaign.no_such_column"}
+    assert set(told) == {"channels.bodi", "belt.column"}
+    assert "the records have body" in told["channels.bodi"]
+
+
+def test_pulses_without_a_belt_column_are_named(lab: Path, tmp_path: Path) -> None:
+    time = np.arange(3000) / 1000.0
+    for number in (1, 2, 3):
+        rows = "\n".join(f"{t:.4f},{np.sin(40.0 * t):.4f},{5.0 * (t % 0.1 < 0.04)}" for t in time)
+        (lab / f"run{number}.csv").write_text(f"time [s],body [V],photo [V]\n{rows}\n", encoding="utf-8")
+    made = jn.campaign_from_folder(tmp_path / "made", lab)
+    (told,) = [item for item in made.findings if item.code == "campaign.pulses_not_used"]
+    assert "photo [V]" in str(told)
+
+
+def test_the_damping_of_the_tyre_is_fitted_where_nobody_measured_it(lab: Path, tmp_path: Path) -> None:
+    made = jn.campaign_from_folder(tmp_path / "made", lab)
+    assert '"tyre.damping_coefficient" = ["0 N*s/m"' in made.campaign.read_text(encoding="utf-8")
+    (lab / "settings.toml").write_text('rig = "kart-quarter-car"\n' + SETTINGS, encoding="utf-8")
+    made = jn.campaign_from_folder(tmp_path / "own", lab)
+    assert "tyre.damping_coefficient" not in made.campaign.read_text(encoding="utf-8")
