@@ -17,7 +17,7 @@ from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, FreeParameter
 from jounce.recordings.sensors import Sensor
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.free_motion import FreeMotion, free_motions
+from jounce.simulation.free_motion import FreeVibration, free_motions
 from jounce.simulation.problem import excitation, known_actuator
 
 SPEED, LOW_PASS, START = "speed", ".low_pass", "start"
@@ -119,7 +119,7 @@ _AT_ONCE = 0.05
 """Seconds of simulation before a record, above which its start is no longer that of the run."""
 
 
-def start_motions(trial: FitTrial) -> list[FreeMotion]:
+def start_motions(trial: FitTrial) -> list[FreeVibration]:
     """Natural vibrations of the rig of a trial, at rest on the road where it begins."""
     compiled = compile_rig(trial.rig, actuator=known_actuator(trial.trial))
     signals = excitation(compiled.facts, trial.rig, trial.trial)

@@ -11,14 +11,12 @@ from jounce.core.types import Array
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.statics import find_equilibrium
 
-_SMALL = (
-    1e-6  # m: step of the difference that tells how far a motion moves the outputs; outputs are nearly linear in it
-)
+_SMALL = 1e-6  # m: step of a difference by which the outputs move; they are nearly linear in it
 _SWINGS = 1e-6  # imaginary part over size of a pole, above which it is no rounding of a real one
 
 
 @dataclass(frozen=True)
-class FreeMotion:
+class FreeVibration:
     """One natural vibration about equilibrium, with an amplitude of 1 m.
 
     Attributes
@@ -37,7 +35,7 @@ class FreeMotion:
     moving: Mapping[str, float]
 
 
-def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeMotion]:
+def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeVibration]:
     """Return the vibrations of a model at rest under the inputs ``still``, the slowest first.
 
     ``p`` are all parameter values (SI). The amplitude is that of the height, travel or deflection among the outputs
@@ -62,7 +60,7 @@ def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeMotion]
         largest = seen[np.argmax(np.abs(seen))]
         swing = shape / largest
         found.append(
-            FreeMotion(
+            FreeVibration(
                 float(pole.imag) / (2.0 * np.pi),
                 -float(pole.real),
                 dict(zip(compiled.facts.states, swing.real.tolist(), strict=True)),
