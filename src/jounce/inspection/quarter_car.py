@@ -190,7 +190,7 @@ _START_LINES = 60  # spectral lines by which starts are compared
 POOR, _TRIED = 0.97, 6
 """Share of the force (1) below which more starts are tried and a fit is doubted, and how many: dampers with bends leave
 0.98."""
-_SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)
+_SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)  # of starts: unsprung masses, damping ratios
 _STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0, 1100.0)  # N/m, N/m for each kg
 TYRES = (5e4, 1.2e6)
 """Stiffnesses that a tyre may have, N/m."""
@@ -398,7 +398,7 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
     return delay if sure else 0.0
 
 
-_DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3
+_DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3  # relative, and s: steps of differences
 _SMALL_DELAY = 0.8e-3  # s: turns the phase angle by 3 degrees at 10 Hz
 _OF_LEFT, _SURELY = 0.45, 3.0  # share of what is left (1): dry friction and bends give a third; standard errors
 _DRIVES = 0.5e-3  # s: negative damping of a tyre over its stiffness

@@ -314,7 +314,7 @@ def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester
 
 
 _HYSTERESIS = 0.3  # of the amplitude, within which noise makes no crossing
-FEWEST_TURNS = 8
+FEWEST_TURNS = 8  # of an exciter: fewer are no test
 
 
 @dataclass(frozen=True)

@@ -209,7 +209,8 @@ def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array
     return turned @ (shares * along), np.sqrt((turned**2) @ shares)
 
 
-LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
+LOWEST_FIT, HIGHEST_FIT = 0.7, 40.0  # Hz: from below the bounce of a body to above what exciters do
+LOWEST_TURN = 3.5  # Hz: well below the band that is evaluated, so that a curve passes its end
 UNDERFLOW = 0.01  # of the static load: a force below it is lift-off
 _BOX_TIME = 0.009  # s over which forces are averaged for that: noise of single samples is none
 _AFTER_LIFT_OFF = 0.06  # s beside lift-off that are left out
@@ -260,7 +261,7 @@ def stretches_between(lifted: NDArray[np.bool_], first: int, last: int, sample_r
 def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis, list[Finding]]:
     """Fit a quarter car to one wheel's test on a rigid plate, and evaluate every turn under a static load (N).
 
-    The turns are those from 1 s before the sweep on, down to 3 Hz; findings say what is wrong with the fit.
+    The turns are those from 1 s before the sweep on, down to 3.5 Hz; findings say what is wrong with the fit.
     """
     rate, start = signals.sample_rate, float(signals.time[0])
     lifted = find_lift_off(signals.force, load, rate)
