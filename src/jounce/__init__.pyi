@@ -57,7 +57,6 @@ from .core.serialise import plain_table as plain_table
 from .core.writing import write_files as write_files
 from .design.adjustment import adjust_rig as adjust_rig
 from .design.adjustments import adjust_report as adjust_report
-from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
 from .design.best_design import find_best_design as find_best_design
 from .design.goal_front import design_front as design_front
@@ -140,6 +139,7 @@ from .kinematics import sweep_steering as sweep_steering
 from .kinematics import sweep_travel as sweep_travel
 from .kinematics import sweep_variants as sweep_variants
 from .kinematics import write_sweep as write_sweep
+from .kinematics.adjustments import adjusted as adjusted
 from .kinematics.axle_loads import load_axle as load_axle
 from .kinematics.clearance_study import study_clearances as study_clearances
 from .kinematics.steering_loads import sweep_steering_effort as sweep_steering_effort

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.design.adjustments import SETTINGS, adjusted
+from jounce.kinematics.adjustments import SETTINGS, adjusted
 
 RIG = "kart-double-wishbone"
 

@@ -30,7 +30,6 @@ from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
-from jounce.design.adjustments import adjusted
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
@@ -40,6 +39,7 @@ from jounce.identify.settings import UpdateSettings
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, run_update
 from jounce.kinematics import sweep_travel
+from jounce.kinematics.adjustments import adjusted
 from jounce.parts import Corner, Rig, load, rig_findings
 from jounce.parts.files import rig_named_in
 from jounce.parts.variants import strut_angle_findings, with_strut_angle

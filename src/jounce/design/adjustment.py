@@ -10,7 +10,8 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.operation import Number, Settings, operation
 from jounce.core.serialise import Plain, to_plain
-from jounce.design.adjustments import SETTINGS, AdjustReport, Lengths, adjust_report, lengths_for, shown
+from jounce.design.adjustments import AdjustReport, Lengths, adjust_report, lengths_for
+from jounce.kinematics.adjustments import SETTINGS, shown
 from jounce.parts import Corner, as_rig
 from jounce.parts.options import RigAlone
 

@@ -117,7 +117,7 @@ class Spread(Description):
 
     ``points`` (m) is that of each coordinate of pickup points and joints, ``links`` (m) that of the length of each
     link; ``exact`` has others by the name of a point or the inner point of a link. ``adjust`` names what can be
-    set afterwards, see :data:`jounce.design.adjustments.SETTINGS`. ``cars`` are built, drawn with ``seed``.
+    set afterwards, see :data:`jounce.kinematics.adjustments.SETTINGS`. ``cars`` are built, drawn with ``seed``.
 
     Examples
     --------

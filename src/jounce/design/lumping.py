@@ -24,8 +24,8 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.types import Array
-from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
+from jounce.kinematics.moved_rigs import rigs_along
 from jounce.parts import Corner, QuarterCar, Rig
 from jounce.parts.dampers import DamperLaw, VelocityTable
 from jounce.parts.leverage import body_motion, force_at

@@ -18,13 +18,13 @@ from jounce.core.errors import DescriptionError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.design.adjustments import SETTINGS, adjusted
 from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
-from jounce.design.refitting import Changes, has_rocker, refit, rod_lengths, rods, triple
+from jounce.kinematics.adjustments import SETTINGS, adjusted
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
+from jounce.kinematics.refitting import Changes, has_rocker, refit, rod_lengths, rods, triple
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, as_rig
 from jounce.parts.bodies import distance

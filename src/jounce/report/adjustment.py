@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES, shown
+from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES
+from jounce.kinematics.adjustments import shown
 from jounce.plots.display import number, settled_number
 from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Section
 

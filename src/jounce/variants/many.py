@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from jounce.core.remembered import remembered
 from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import Unit
-from jounce.parts import Rig, Vehicle
+from jounce.parts import Corner, Rig, Vehicle
 from jounce.parts.rig import change_table, parameters_of, quantity_at, unknown_path
 from jounce.recordings.schema import channels_of
 from jounce.roads import Trial
@@ -45,9 +45,11 @@ if TYPE_CHECKING:
 
     from jounce.control import Controller
     from jounce.core.segments import Segments
+    from jounce.kinematics.adjustments import Adjustable
 
 Variants = Mapping[str, Sequence[float | str] | Array] | Design
 _TRIAL, _CONTROL = "trial.", "control."
+_Value = TypeVar("_Value")
 
 
 @dataclass(frozen=True)
@@ -78,7 +80,7 @@ class VariantWork:
         results = _Results(self.metrics, self.channels, count, few, _Frame(self.study, columns, first))
         groups = list(self.study.groups(columns))
         small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
-        if small:
+        if small and not self.study.adjusts(columns):
             self.study.allows_all(_of_the_rig(columns))  # asked once, not for each of them
         free = self.study.control is None  # a controller may be a function that keeps something
         workers = min(threads or processors(), len(small)) if free else 1
@@ -317,11 +319,45 @@ class VariantStudy:
         quantities = _quantities_of(of)
         if rest not in quantities:
             known = of.parameters() if of is self.rig else _numbers_of(of)
-            if rest not in known:
-                others = [f"{_TRIAL}{name}" for name in _numbers_of(self.trial)] if of is self.rig else []
-                raise unknown_path(f"variants: {path}", [*known, *others], name=rest)
-            quantities[rest] = known[rest], quantity_at(of, rest)
+            if rest in known:
+                quantities[rest] = known[rest], quantity_at(of, rest)
+            elif of is self.rig and rest in self.adjustments:
+                quantities[rest] = self._adjustment(rest)
+            else:
+                others = [*self.adjustments, *(f"{_TRIAL}{name}" for name in _numbers_of(self.trial))]
+                raise unknown_path(f"variants: {path}", [*known, *(others if of is self.rig else [])], name=rest)
         return quantities[rest]
+
+    @cached_property
+    def adjustments(self) -> dict[str, Adjustable]:
+        """Adjustments of the rig by name, which vary like numbers of it."""
+        from jounce.kinematics.adjustments import adjustables
+
+        return adjustables(self.rig) if isinstance(self.rig, Corner) else {}
+
+    def _adjustment(self, name: str) -> tuple[float, Unit]:
+        from jounce.kinematics.adjustments import ROUNDING
+
+        adjustment = self.adjustments[name]
+        assert isinstance(self.rig, Corner)
+        low, high = adjustment.allowed_for(self.rig)
+        limit = Unit(adjustment.unit, at_least=low - ROUNDING, at_most=high + ROUNDING)
+        return adjustment.base(self.rig), limit
+
+    def adjusts(self, paths: Iterable[str]) -> bool:
+        """Whether one of some paths is that of an adjustment."""
+        known = _numbers(self.rig)
+        return any(path not in known and path in self.adjustments for path in _of_the_rig(dict.fromkeys(paths)))
+
+    def changed_rig(self, changes: Mapping[str, float]) -> Rig:
+        """Rig with some of its numbers (SI) changed, and then adjusted."""
+        names = [path for path in changes if self.adjusts([path])]
+        rig = self.rig.with_changes({path: value for path, value in changes.items() if path not in names})
+        if not names:
+            return rig
+        from jounce.kinematics.adjustments import adjusted
+
+        return adjusted(rig, {name: changes[name] for name in names})
 
     def whole(self, path: str) -> bool:
         """Whether the number at a path is a whole one, such as the seed of a road."""
@@ -357,7 +393,7 @@ class VariantStudy:
             raise DescriptionError("not a number of variants", where="variants", found=max(lengths.values()))
         for path in result:
             of, rest = self.owner(path)
-            if of is self.rig and rest not in self.compiled.facts.parameters:
+            if of is self.rig and rest not in self.compiled.facts.parameters and not self.adjusts([rest]):
                 raise DescriptionError("does not enter the model", where=f"variants: {path}", hint="Leave it out.")
         return result
 
@@ -368,7 +404,7 @@ class VariantStudy:
             _changed(description, changes, prefix)
             for description, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
         )
-        return self.rig.with_changes(own), trial, control
+        return self.changed_rig(own), trial, control
 
     def allows_all(self, own: Mapping[str, Array]) -> bool:
         """Whether the description allows all values of the rig's parameters; False if a check of each is as cheap.
@@ -394,8 +430,8 @@ class VariantStudy:
     def is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
         """Whether the description allows some numbers (SI)."""
         try:
-            self.rig.with_changes(dict(zip(paths, row, strict=True)))
-        except DescriptionError:
+            self.changed_rig(dict(zip(paths, row, strict=True)))
+        except JounceError:
             return False
         return True
 
@@ -475,7 +511,7 @@ class _TrialGroup:
 
     def _described(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
         """Which variants need a description of their own, None for none: those that it forbids are to say why."""
-        if self.control is not None or any(path in MOVES_TRACKS for path in own):
+        if self.control is not None or any(path in MOVES_TRACKS for path in own) or self.study.adjusts(own):
             return np.ones(count, dtype=bool)
         if self.study.allows_all(own):
             return None
@@ -660,7 +696,7 @@ class _TrialGroup:
 
     def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _RunSamples:
         """Run the rig with some of its numbers changed."""
-        settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
+        settings, compiled, rig = self.study.settings, self.study.compiled, self.study.changed_rig(changes)
         if self.control is not None:
             from jounce.simulation.solve import solved
 
@@ -789,7 +825,13 @@ def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
     return numbers
 
 
-def _of_the_rig(columns: Mapping[str, Array]) -> dict[str, Array]:
+@remembered
+def _numbers(rig: Rig) -> dict[str, float]:
+    """Numbers of a rig by path."""
+    return rig.parameters()
+
+
+def _of_the_rig(columns: Mapping[str, _Value]) -> dict[str, _Value]:
     return {path: column for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
 
 

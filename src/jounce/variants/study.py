@@ -61,8 +61,8 @@ class SweepStudy(Description):
     """A sweep: the ``rig`` (a file, or the name of a shipped one), its trial, varied parameters, and results to keep.
 
     ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` has the
-    path of each number and what it is spread over, or its values; ``metrics`` are numbers of each run, ``outputs``
-    channels that are kept over time, ``control`` is a controller by its name or file.
+    path of each number, or the name of an adjustment, and what it is spread over, or its values; ``metrics`` are
+    numbers of each run, ``outputs`` channels that are kept over time, ``control`` is a controller by its name or file.
     """
 
     schema_: Literal["jounce.sweep/1"] = Field(default=SCHEMA, alias="schema")

@@ -7,17 +7,8 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import AssemblyError, DescriptionError
-from jounce.design.adjustments import (
-    BLOCK_MASS,
-    QUANTITIES,
-    SETTINGS,
-    adjust_report,
-    adjusted,
-    adjustment_findings,
-    arm_length,
-    lengths_for,
-    wheel_state,
-)
+from jounce.design.adjustments import QUANTITIES, adjust_report, adjustment_findings, lengths_for, wheel_state
+from jounce.kinematics.adjustments import BLOCK_MASS, SETTINGS, adjusted, arm_length
 from jounce.parts.bodies import distance
 from jounce.parts.leverage import spring_force
 

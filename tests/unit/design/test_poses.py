@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.design.poses import moved_rig, rigid_motion, rigs_along, spin_axis, wheel_angles
+from jounce.kinematics.moved_rigs import moved_rig, rigid_motion, rigs_along, spin_axis, wheel_angles
 from jounce.parts.leverage import spring_force
 
 KART = jn.load("kart-double-wishbone")

@@ -10,7 +10,7 @@ import pytest
 import jounce as jn
 from jounce.design.kinematic_study import Spread
 from jounce.design.kinematics import read_task
-from jounce.design.refitting import Changes, refit, rod_lengths
+from jounce.kinematics.refitting import Changes, refit, rod_lengths
 
 TOE = {"quantity": "toe", "over": "-20 mm:20 mm:20 mm", "value": 0.0, "tolerance": "0.05 deg"}
 RATIO = {"quantity": "motion_ratio", "value": 0.59, "tolerance": 0.01}

@@ -16,7 +16,7 @@ import numpy as np
 
 from jounce.core.errors import AssemblyError
 from jounce.core.types import Array
-from jounce.design.poses import moved_rig, rigid_motion
+from jounce.kinematics.moved_rigs import moved_rig, rigid_motion
 from jounce.mechanics import Mechanism, Model, assemble
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
