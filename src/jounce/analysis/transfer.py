@@ -33,7 +33,7 @@ from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
 from jounce.parts import Rig, as_rig
-from jounce.ride.spectra import WINDOWS, independent_segments, power_spectrum
+from jounce.ride.spectra import WINDOWS, cross_spectrum, independent_segments, power_spectrum, relative_error
 from jounce.simulation.linear_model import LinearModel, linearise
 
 Estimator: TypeAlias = Literal["H1", "H2", "Hv"]
@@ -266,7 +266,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     both = own * other
     coherence = np.clip(np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0), 0.0, 1.0)
     response = _response(estimator, own, other, cross)
-    error = phase_error(coherence, averages)
+    error = relative_error(coherence, averages)
     significant = 1.0 - (1.0 - confidence) ** (1.0 / max(averages - 1.0, 1e-9))
     model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
     power = power_spectrum(used.values(given), used.rate, segment=count / used.rate, window=window).density[inside]
@@ -311,27 +311,16 @@ def check_moving(used: Measured, names: list[str]) -> None:
         )
 
 
-def phase_error(coherence: Array, averages: float) -> Array:
-    """Standard error of the phase (rad), and relative one of the gain of H1 and H2."""
-    with np.errstate(divide="ignore"):
-        return np.asarray(np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence)))
-
-
 def _spectra(
     used: Measured, given: str, output: str, count: int, window: str
 ) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
     """Frequencies (Hz), and densities of input, output, and both together, all with the input made white."""
-    from scipy import signal
-
-    both = {name: used.values(name) for name in (given, output)}
-    white = whitened(both, given, count)
+    white = whitened({name: used.values(name) for name in (given, output)}, given, count)
     x, y = white[given], white[output]
-    overlap = count // 2 if window == "hann" else 0
-    options: dict[str, Any] = {"fs": used.rate, "window": window, "nperseg": count, "noverlap": overlap}
-    frequency, own = signal.welch(x, **options)
-    other = signal.welch(y, **options)[1]
-    cross = signal.csd(x, y, **options)[1]
-    return frequency, own, other, cross
+    frequency, own = cross_spectrum(x, x, used.rate, count, window)
+    other = cross_spectrum(y, y, used.rate, count, window)[1]
+    cross = cross_spectrum(x, y, used.rate, count, window)[1]
+    return frequency, own.real, other.real, cross
 
 
 def whitened(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:

@@ -9,7 +9,7 @@ from jounce.core.display import display_unit
 from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES
 from jounce.kinematics.adjustments import shown
 from jounce.plots.display import number, settled_number
-from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Section
+from jounce.report.page import Block, Fact, Facts, Page, PageTable, answer_page, findings_blocks
 
 if TYPE_CHECKING:
     from jounce.design.adjustment import Adjustment
@@ -30,9 +30,8 @@ def adjustment_page(found: Adjustment, *, title: str) -> Page:
     if found.lengths is not None:
         reached = f"camber {shown(found.lengths.camber, 'rad')}, toe {shown(found.lengths.toe, 'rad')}"
         answer.append(Facts((Fact("reached", reached),)))
-    if found.findings:
-        answer.append(Findings(found.findings))
-    return Page(title, (Section("Answer", tuple(answer)),))
+    answer += findings_blocks(found.findings)
+    return answer_page(title, answer)
 
 
 def _states(states: dict[str, WheelState]) -> PageTable:

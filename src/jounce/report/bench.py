@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from jounce.core.display import size
-from jounce.report.page import Block, Findings, Page, Paragraph, Section, TableColumn, quantity_table, table_of
+from jounce.report.page import (
+    Block,
+    Page,
+    Paragraph,
+    TableColumn,
+    answer_page,
+    findings_blocks,
+    quantity_table,
+    table_of,
+)
 
 if TYPE_CHECKING:
     from jounce.bench.drive import BeltSpeeds, DriveAssessment
     from jounce.bench.similitude import SimilitudeReport
     from jounce.bench.springs import SpringComparison
-    from jounce.core.findings import Finding
 
 
 def belt_speed_page(found: BeltSpeeds, *, title: str) -> Page:
@@ -44,7 +51,7 @@ def belt_speed_page(found: BeltSpeeds, *, title: str) -> Page:
         note = f"One pulse corresponds to {size(counted.resolution, 'm/s', 'speed')}; "
         note += f"the obstacle recurs every {counted.recurrence_time:.4g} s."
         blocks.append(table_of("From the photo-sensor", columns, note))
-    return _page(title, blocks, found.findings)
+    return answer_page(title, [*blocks, *findings_blocks(found.findings)])
 
 
 def drive_page(found: DriveAssessment, *, title: str) -> Page:
@@ -69,7 +76,7 @@ def drive_page(found: DriveAssessment, *, title: str) -> Page:
     if fastest.implied_force is not None:
         rows.append(("pull that would explain the observed ceiling", fastest.implied_force, "N"))
     blocks.append(quantity_table("Attainable", rows))
-    return _page(title, blocks, found.findings)
+    return answer_page(title, [*blocks, *findings_blocks(found.findings)])
 
 
 def similitude_page(found: SimilitudeReport, *, title: str) -> Page:
@@ -89,7 +96,7 @@ def similitude_page(found: SimilitudeReport, *, title: str) -> Page:
         TableColumn("full-size equivalent", [one.full_size for one in found.factors], "1"),
     )
     factors = table_of("Similitude under the same gravity", columns)
-    return _page(title, [quantity_table("Mass and frequency", rows), factors], found.findings)
+    return answer_page(title, [quantity_table("Mass and frequency", rows), factors, *findings_blocks(found.findings)])
 
 
 def spring_choice_page(found: SpringComparison, *, title: str) -> Page:
@@ -106,9 +113,7 @@ def spring_choice_page(found: SpringComparison, *, title: str) -> Page:
         TableColumn("damping ratio", [row.damping_ratio for row in rows], "1"),
         TableColumn("friction band", [row.friction_deflection for row in rows], "m"),
     )
-    return _page(title, [table_of("Candidates", columns), Paragraph(f"recommended: {found.chosen}")], found.findings)
-
-
-def _page(title: str, blocks: Sequence[Block], findings: tuple[Finding, ...]) -> Page:
-    shown = (Findings(findings),) if findings else ()
-    return Page(title, (Section("Answer", (*blocks, *shown)),))
+    return answer_page(
+        title,
+        [table_of("Candidates", columns), Paragraph(f"recommended: {found.chosen}"), *findings_blocks(found.findings)],
+    )

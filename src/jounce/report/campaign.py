@@ -36,6 +36,7 @@ from jounce.report.page import (
     Section,
     Subsection,
     Tone,
+    findings_blocks,
     sections_of,
     unique_slugs,
     worst_first,
@@ -639,8 +640,7 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
         blocks.append(
             PageTable("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr")
         )
-    if found.findings:
-        blocks.append(Findings(found.findings))
+    blocks += findings_blocks(found.findings)
     return tuple(blocks)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.report.page import Block, Findings, Page, Section, TableColumn, table_of
+from jounce.report.page import Block, Page, TableColumn, answer_page, findings_blocks, table_of
 
 if TYPE_CHECKING:
     from jounce.kinematics.clearance_study import ClearanceStudy
@@ -21,6 +21,5 @@ def clearances_page(found: ClearanceStudy, *, title: str) -> Page:
         )
     lengths = (TableColumn("between", [*found.lengths]), TableColumn("length", [*found.lengths.values()], "m"))
     blocks.append(table_of("Lengths of links at design", lengths))
-    if found.findings:
-        blocks.append(Findings(found.findings))
-    return Page(title, (Section("Answer", tuple(blocks)),))
+    blocks += findings_blocks(found.findings)
+    return answer_page(title, blocks)

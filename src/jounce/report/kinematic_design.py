@@ -16,12 +16,12 @@ from jounce.report.page import (
     Cell,
     Fact,
     Facts,
-    Findings,
     Page,
     PageTable,
     Picture,
     Section,
     Subsection,
+    findings_blocks,
 )
 from jounce.report.recordings import curve_blocks
 
@@ -78,8 +78,7 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
     answer: list[Block] = [facts, _targets(found)]
     if found.fights:
         answer.append(Bullets(tuple(_fight(found, fight) for fight in found.fighting())))
-    if found.findings:
-        answer.append(Findings(found.findings))
+    answer += findings_blocks(found.findings)
     one = f"1 {display_unit('m').name}"
     words = {
         "targets": "Wanted curves before and after with their bands; single values in tolerances from what is wanted.",
@@ -107,8 +106,7 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
         blocks: list[Block] = []
         for name, spread in found.spread.items():
             own: list[Block] = [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
-            if spread.findings:
-                own.append(Findings(spread.findings))
+            own += findings_blocks(spread.findings)
             blocks += [Subsection(name.capitalize(), tuple(own))] if name else own
         sections.append(Section("Tolerances", tuple(blocks)))
     return Page(title, tuple(sections), "Hardpoints from kinematic targets")

@@ -20,6 +20,7 @@ from jounce.report.page import (
     Section,
     TableColumn,
     as_printed,
+    findings_blocks,
     picture_of,
     table_of,
 )
@@ -192,8 +193,7 @@ def roughness_page(
         )
 
     answer: list[Block] = [Facts(tuple(facts)), segments, Paragraph(note, "muted")]
-    if findings:
-        answer.append(Findings(tuple(findings)))
+    answer += findings_blocks(findings)
     curves = Section("Profile", lambda: curve_blocks({"": {"profile": profile()}}, ["height", "iri"], title=title))
     return Page(title, (Section("Answer", tuple(answer)), curves), "International roughness index")
 

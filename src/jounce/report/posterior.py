@@ -24,6 +24,7 @@ from jounce.report.page import (
     Section,
     Subsection,
     TableColumn,
+    findings_blocks,
     sections_of,
     table_of,
 )
@@ -126,8 +127,7 @@ def _answer(found: Posterior) -> tuple[Block, ...]:
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
     table = PageTable("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
     blocks: list[Block] = [Paragraph(_COUNTED[found.counted]), Facts(facts), table]
-    if found.findings:
-        blocks.append(Findings(found.findings))
+    blocks += findings_blocks(found.findings)
     return tuple(blocks)
 
 

@@ -18,7 +18,7 @@ from jounce.plots.comparison import apart, common_axis, common_channels, line_of
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, named_words, scene_panels
-from jounce.report.page import Block, Details, Findings, Page, PageTable, Section
+from jounce.report.page import Block, Details, Page, PageTable, Section, findings_blocks
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -92,8 +92,7 @@ def recordings_page(
     others = [name for name in units if name not in first]
     if others:
         answer.append(Details("All other channels", (_extremes(named, axis, unit, others, units),)))
-    if findings:
-        answer.append(Findings(tuple(findings)))
+    answer += findings_blocks(findings)
     curves = Section("Curves", lambda: curve_blocks({"": named}, first, title=title, rig=rig, trial=trial))
     sections = (Section("Extremes", tuple(answer)), curves)
     return Page(title or ", ".join(named), sections, subtitle)

@@ -8,7 +8,19 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.plots.display import given, number, percent
-from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Paragraph, Picture, Section, picture_of
+from jounce.report.page import (
+    Block,
+    Fact,
+    Facts,
+    Page,
+    PageTable,
+    Paragraph,
+    Picture,
+    Section,
+    answer_page,
+    findings_blocks,
+    picture_of,
+)
 from jounce.ride.study import MERITS
 
 if TYPE_CHECKING:
@@ -55,8 +67,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     if not study.rides:
         return Page(title, (Section("Answer", (*answer, Paragraph("No ride reached its end."))),))
     found = _findings(study)
-    if found:
-        answer.append(Findings(tuple(found)))
+    answer += findings_blocks(found)
     moving = study.rig if rig is None else rig
     curves, spectra = (Section(name, partial(draw, study, title, moving)) for name, draw in _DRAWN.items())
     sections = [Section("Answer", tuple(answer)), curves, spectra]
@@ -75,9 +86,8 @@ def measured_ride_page(found: MeasuredRide, *, title: str) -> Page:
     """Put the metrics of a recorded ride on a page."""
     answer: list[Block] = [_metrics({"value": found.metrics})]
     answer += [Paragraph(f"{place}: {words}") for place, words in found.metrics.comfort.items()]
-    if found.findings:
-        answer.append(Findings(found.findings))
-    return Page(title, (Section("Answer", tuple(answer)),), found.extent)
+    answer += findings_blocks(found.findings)
+    return answer_page(title, answer, found.extent)
 
 
 def _merits(study: RideStudy) -> PageTable:

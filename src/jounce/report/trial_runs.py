@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.plots.display import number, settled_number
-from jounce.report.page import Block, Findings, Page, PageTable, Paragraph, Section
+from jounce.report.page import Block, Page, PageTable, Paragraph, Section, findings_blocks
 
 if TYPE_CHECKING:
     from jounce.simulation.trial_run import TrialRun
@@ -23,8 +23,7 @@ def trial_run_page(found: TrialRun, *, title: str) -> Page:
         rows.append((name, shown.name or "–", static, low, next(times), high, next(times)))
     header = ("channel", "unit", "static", "minimum", "at [s]", "maximum", "at [s]")
     answer: list[Block] = [PageTable("Extremes", header, tuple(rows), "llrrrrr"), Paragraph(_words(found), "muted")]
-    if found.findings:
-        answer.append(Findings(found.findings))
+    answer += findings_blocks(found.findings)
     sections = (Section("Extremes", tuple(answer)), Section("Curves", lambda: _curves(found, title)))
     return Page(title, sections, f"Simulation of {found.trial.duration:g} s")
 

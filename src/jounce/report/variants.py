@@ -19,12 +19,12 @@ from jounce.report.page import (
     Details,
     Fact,
     Facts,
-    Findings,
     Page,
     PageTable,
     Paragraph,
     Picture,
     Section,
+    findings_blocks,
     sections_of,
 )
 from jounce.report.recordings import curve_blocks
@@ -148,8 +148,7 @@ def _answer(found: SweepResult) -> tuple[Block, ...]:
             (Cell(reason, "bad"), str(one["variants"]), str(one["first"])) for reason, one in summary.failed.items()
         )
         blocks.append(PageTable("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
-    if summary.findings:
-        blocks.append(Findings(summary.findings))
+    blocks += findings_blocks(summary.findings)
     return tuple(blocks)
 
 

@@ -89,10 +89,7 @@ class Transfer(Shown):
     @property
     def relative_error(self) -> Array:
         """Relative standard error (1) of the gain, from coherence and averages; infinite without coherence."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(
-                np.sqrt(np.clip(1.0 - self.coherence, 0.0, None) / (2.0 * self.coherence * self.averages))
-            )
+        return relative_error(self.coherence, self.averages)
 
 
 @dataclass(frozen=True)
@@ -157,7 +154,7 @@ def power_spectrum(
     rate = rate_of_channels([values], where="signal") if sample_rate is None else as_number(sample_rate, "Hz")
     signal = _checked(values, rate, "signal")
     count = _segment_length(signal, rate, segment, window)
-    frequency, density = _cross(signal, signal, rate, count, window)
+    frequency, density = cross_spectrum(signal, signal, rate, count, window)
     resolution = WINDOWS[window] * rate / count
     return Spectrum(frequency, density.real.copy(), resolution, independent_segments(signal.size, count, window))
 
@@ -221,9 +218,9 @@ def transfer_function(
             found=f"{count / rate:g} s",
             allowed=f"at most half the record of {x.size / rate:g} s",
         )
-    frequency, cross = _cross(x, y, rate, count, window)
-    own = _cross(x, x, rate, count, window)[1].real
-    other = _cross(y, y, rate, count, window)[1].real
+    frequency, cross = cross_spectrum(x, y, rate, count, window)
+    own = cross_spectrum(x, x, rate, count, window)[1].real
+    other = cross_spectrum(y, y, rate, count, window)[1].real
     response = np.divide(cross, own, out=np.zeros_like(cross), where=own > 0.0)
     both = own * other
     coherence = np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0)
@@ -334,7 +331,15 @@ def _segment_length(signal: Array, sample_rate: float, segment: float | str | No
     return count
 
 
-def _cross(x: Array, y: Array, sample_rate: float, count: int, window: str) -> tuple[Array, NDArray[np.complex128]]:
+def relative_error(coherence: Array, averages: float) -> Array:
+    """Relative standard error of a gain (H1, H2), and that of its phase in rad; infinite without coherence."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence)))
+
+
+def cross_spectrum(
+    x: Array, y: Array, sample_rate: float, count: int, window: str
+) -> tuple[Array, NDArray[np.complex128]]:
     """One-sided cross spectrum: frequencies in Hz, mean of conj(X) Y per Hz."""
     from scipy import signal
 
