@@ -13,6 +13,8 @@ import jounce as jn
 from jounce.campaign import CampaignResult, FolderCampaign
 from jounce.campaign.run import Runner, prepared_campaign
 from jounce.core.errors import JounceError
+from jounce.report.campaign import curves
+from jounce.report.page import Details
 
 
 @pytest.fixture(scope="module")
@@ -152,3 +154,54 @@ def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
     runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
     (named,) = [item for item in runner.findings if item.code == "campaign.trials_exchanged"]
     assert named.place == "trials 1 and 2"
+
+
+@pytest.fixture(scope="module")
+def spoiled(lab: laboratory.Laboratory, folder: Path, tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
+    """Three trials: one whose record holds noise only, one cut to less than a loop, one as it was."""
+    place = tmp_path_factory.mktemp("spoiled") / "raw"
+    shutil.copytree(folder, place)
+    records = {number: next(place.glob(f"*_{number:02d}.csv")) for number in range(1, 17)}
+    for number in range(4, 17):
+        records[number].unlink()
+    first, second = laboratory.passages(lab, 1)[:2]
+    texts = {number: records[number].read_text(encoding="utf-8") for number in (1, 2)}
+    records[1].write_text(_noise(texts[1]), encoding="utf-8")
+    records[2].write_text(_short(texts[2], second + 0.6 * (second - first)), encoding="utf-8")
+    made = jn.campaign_from_folder(place.parent / "campaign", place)
+    return jn.run_campaign(made.campaign)
+
+
+def _noise(text: str) -> str:
+    """The record with its accelerations (the first two channels) shuffled, so that nothing of a passage is left."""
+    header, *rows = text.splitlines()
+    cells = [row.split(",") for row in rows]
+    mixed = np.random.default_rng(1).permutation(len(cells))
+    shuffled = [[own[0], *cells[i][1:3], *own[3:]] for own, i in zip(cells, mixed, strict=True)]
+    return "\n".join([header, *map(",".join, shuffled)])
+
+
+def _short(text: str, until: float) -> str:
+    """The record up to an instant, s."""
+    header, *rows = text.splitlines()
+    return "\n".join([header, *(row for row in rows if float(row.split(",")[0]) < until)])
+
+
+def test_an_obstacle_that_never_comes_is_drawn(spoiled: CampaignResult) -> None:
+    (left_out,) = [item for item in spoiled.findings if item.code == "campaign.trial_left_out"]
+    assert left_out.place == "trial 1"
+    assert "the obstacle is not found in the record" in left_out.message
+    sought = spoiled.sought[1]
+    assert sought.likeness == left_out.value < 0.5
+    assert set(sought.record.data_vars) == set(sought.response.data_vars) == {"sprung.az", "unsprung.az"}
+    assert float(sought.response["time"][0]) < float(sought.record["time"][-1])
+    drawn = [block for block in curves(spoiled).blocks if isinstance(block, Details)]
+    (chart,) = [block for item in drawn for block in item.blocks if getattr(block, "name", "") == "sought-1"]
+    assert [panel.series[1].label for panel in chart.panels] == ["looked for", "looked for"]
+
+
+def test_a_record_of_less_than_a_loop_is_compared_on_a_running_belt(spoiled: CampaignResult) -> None:
+    (noted,) = [item for item in spoiled.findings if item.code == "campaign.no_whole_loop"]
+    assert noted.place.startswith("trial 2")
+    short = next(trial for trial in spoiled.trials if trial.entry.number == 2)
+    assert min(channel.r2 for channel in short.after.channels.values()) > 0.97

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Annotated, Literal
@@ -11,12 +11,19 @@ import xarray as xr
 from pydantic import Field
 
 from jounce.core.description import Description, Whole
-from jounce.core.errors import FitError, JounceError
+from jounce.core.errors import JounceError
 from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.units import NonNegativeLength, PositiveLength, Unit
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import Passages, averaged_trial, find_passages, one_loop
+from jounce.identify.passages import (
+    ObstacleNotFoundError,
+    Passages,
+    averaged_trial,
+    find_passages,
+    one_loop,
+    trial_on_running_belt,
+)
 from jounce.recordings.pulses import PulseSpeed, pulse_speed
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Road
@@ -129,18 +136,23 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
     return road.changed(recurrence=belt.length)
 
 
-def placed(
-    trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None
-) -> tuple[FitTrial, TrialOnBelt | None]:
+Placed = tuple[FitTrial, TrialOnBelt | None, Sequence[Finding]]
+"""A trial that meets its obstacle when the record does, what was found of belt and passages, and what is doubtful."""
+
+
+def placed(trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None) -> Placed:
     """Give a trial whose model meets the obstacle when the record does.
 
     On a belt the record is the average of its loops (``passage="all"``), or one of them, and the model has been
-    running. Without a belt the obstacle is moved to where the record meets it, where that is not where the road says.
+    running; a record that holds no loop in full is taken as it is. Without a belt the obstacle is moved to where the
+    record meets it, where that is not where the road says.
 
     Raises
     ------
+    ObstacleNotFoundError
+        Where the obstacle is not found.
     FitError
-        Where the obstacle is not found, or the passage that is asked for does not exist.
+        Where the passage that is asked for does not exist, or the belt carries another obstacle.
     """
     road = trial.trial.road
     assert road is not None
@@ -153,13 +165,6 @@ def placed(
     )
     if passage != "all":
         found = one_loop(found, trial.measured, passage, channels=channels, name=trial.name)
-    if found.loop is None:
-        raise FitError(
-            "the obstacle passes only once in full",
-            where=trial.name,
-            found=f"met at {', '.join(f'{time:.3g} s' for time in found.times)}",
-            hint="Record at least two loops of the belt, or leave [belt] out: the trial then starts at rest.",
-        )
     slip = None if pulses is None else 1.0 - found.speed / pulses.mean
     facts = TrialOnBelt(
         noted,
@@ -169,8 +174,13 @@ def placed(
         found,
         tuple(_speed_findings(noted, slip, found)),
     )
-    sensors = {name: _with_free_zero(trial.sensors.get(name)) for name in map(str, found.loop.data_vars)}
-    return averaged_trial(replace(trial, sensors={**trial.sensors, **sensors}), found), facts
+    sensors = {name: _with_free_zero(trial.sensors.get(name)) for name in channels}
+    trial = replace(trial, sensors={**trial.sensors, **sensors})
+    if found.loop is None:
+        met = ", ".join(f"{time:.3g} s" for time in found.times)
+        facts = replace(facts, findings=(*facts.findings, finding("campaign.no_whole_loop", "belt", None, times=met)))
+        return trial_on_running_belt(trial, found), facts, facts.findings
+    return averaged_trial(trial, found), facts, facts.findings
 
 
 def _compared(trial: FitTrial) -> list[str]:
@@ -194,22 +204,24 @@ def _speed_findings(noted: float | None, slip: float | None, found: Passages) ->
     return findings
 
 
-def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[FitTrial, TrialOnBelt | None]:
+def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
     """Move the obstacle to where the record meets it; leave a trial alone whose record begins where the road says."""
     road, speed = trial.trial.road, trial.trial.speed
     assert road is not None
     assert speed is not None
     if road.is_course() or road.end() == road.start:
-        return trial, None
+        return trial, None, ()
     try:
         found = find_passages(
             trial.measured, trial.rig, road, speed, sensors=trial.sensors, channels=channels, name=trial.name
         )
+    except ObstacleNotFoundError:
+        raise
     except JounceError:
-        return trial, None  # the comparison says what it finds
+        return trial, None, ()  # the comparison says what it finds
     met, stated = found.times[0], road.start / speed
     if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
-        return trial, None
+        return trial, None, found.findings
     driven = trial.trial.changed(road=road.changed(start=max(met * speed, 0.0)))
     facts = TrialOnBelt(
         noted,
@@ -219,7 +231,7 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> tuple[F
         found,
         (*found.findings, finding("campaign.met_elsewhere", "road", met, met=met, stated=stated)),
     )
-    return replace(trial, trial=driven), facts
+    return replace(trial, trial=driven), facts, facts.findings
 
 
 _SURE = 0.8

@@ -19,6 +19,7 @@ from jounce.core.results import group_table
 from jounce.core.serialise import to_plain
 from jounce.core.shown import Shown
 from jounce.design.model_comparison import ModelComparison
+from jounce.identify.passages import Sought
 from jounce.parts import Rig
 
 if TYPE_CHECKING:
@@ -52,6 +53,8 @@ class CampaignResult(Shown):
         :func:`jounce.sweep_travel` gives them with ``points``.
     look : FirstLook
         Statistics, spectra and modes of the records, beside those of the model's readings.
+    sought : dict
+        Number of a trial whose obstacle was not found to what was looked for.
     """
 
     campaign: Campaign
@@ -65,6 +68,7 @@ class CampaignResult(Shown):
     lumped: ModelComparison | None = None
     poses: Mapping[float | None, xr.Dataset] = field(default_factory=dict)
     look: FirstLook = field(default_factory=FirstLook)
+    sought: Mapping[int, Sought] = field(default_factory=dict)
 
     def __str__(self) -> str:
         updates = [strategy.update for strategy in self.strategies]

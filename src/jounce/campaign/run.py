@@ -35,6 +35,7 @@ from jounce.design.model_comparison import ModelComparison, PeakDifference, comp
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
 from jounce.identify.extended_rig import own_doubt
 from jounce.identify.fit_problem import FitTrial, check_free
+from jounce.identify.passages import ObstacleNotFoundError, Sought
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, run_update
@@ -115,6 +116,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
         lumped,
         poses,
         look,
+        runner.sought,
     )
 
 
@@ -367,6 +369,7 @@ class Runner:
     compared: dict[tuple[str | float | None, ...], _Compared] = field(default_factory=dict)
     truth: BenchTruth | None = None
     records: Mapping[int, xr.Dataset] = field(default_factory=dict)
+    sought: dict[int, Sought] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Give a trial with the rig as it was set up for it."""
@@ -386,20 +389,26 @@ class Runner:
                 continue
             name = f"trial {number}"
             try:
-                trial, facts = placed(
-                    self.fit_trial(item, knowledge),
-                    item.entry.speed,
-                    item.entry.passage,
-                    item.pulses,
+                trial, facts, findings = placed(
+                    self.fit_trial(item, knowledge), item.entry.speed, item.entry.passage, item.pulses
                 )
+            except ObstacleNotFoundError as error:
+                self.sought[number] = error.sought
+                code = "campaign.trial_left_out" if self.campaign.belt else "campaign.obstacle_not_seen"
+                said = str(error).removeprefix(f"{name}: ")
+                self.findings.append(finding(code, name, error.sought.likeness, error=said))
+                if self.campaign.belt:
+                    del self.loaded[number]
+                continue
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(finding("campaign.trial_left_out", name, error=reason(error)))
+                said = reason(error).removeprefix(f"{name}: ")
+                self.findings.append(finding("campaign.trial_left_out", name, error=said))
                 del self.loaded[number]
                 continue
             if facts is not None:
                 self.sensors[number] = trial.sensors
                 self.loaded[number] = replace(item, trial=trial.trial, measured=trial.measured, facts=facts)
-                self.findings += [at_place(f"{name}: {item.place}", item) for item in facts.findings]
+            self.findings += [at_place(f"{name}: {one.place}".removesuffix(f": {name}"), one) for one in findings]
         self.findings += exchanged({number: item.facts for number, item in self.loaded.items() if item.facts})
 
     def decide_datums(self, knowledge: Knowledge) -> None:

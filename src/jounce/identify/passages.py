@@ -89,6 +89,33 @@ class Passages(Shown):
     findings: tuple[Finding, ...] = ()
 
 
+@dataclass(frozen=True)
+class Sought(Shown):
+    """What was looked for in a record in vain.
+
+    Attributes
+    ----------
+    record : xarray.Dataset
+        Record, of the channels that were used.
+    response : xarray.Dataset
+        The model's response in the same channels, at the place of the record (``time``, s) that is most like it.
+    likeness : float
+        Correlation there (1).
+    """
+
+    record: xr.Dataset
+    response: xr.Dataset
+    likeness: float
+
+
+class ObstacleNotFoundError(FitError):
+    """An obstacle that a record does not show; ``sought`` is what was looked for."""
+
+    def __init__(self, sought: Sought, what: str, **parts: Any) -> None:
+        self.sought = sought
+        super().__init__(what, **parts)
+
+
 def find_passages(
     measured: xr.Dataset,
     rig: Rig,
@@ -125,8 +152,10 @@ def find_passages(
 
     Raises
     ------
-    FitError
+    ObstacleNotFoundError
         Where no place of the record looks like the response of the model, with what was looked for.
+    FitError
+        Where a loop of the belt holds another obstacle.
 
     Examples
     --------
@@ -156,7 +185,8 @@ def find_passages(
     like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
     at, sign = _peaks(like, power, step, expected.period)
     if not len(at):
-        raise FitError(
+        raise ObstacleNotFoundError(
+            _sought(data, names, expected, like, step),
             "the obstacle is not found in the record",
             where=name,
             found=f"at best a correlation of {float(np.max(np.abs(like), initial=0.0)):.2f}",
@@ -172,6 +202,22 @@ def find_passages(
     times = time[0] + step * (at - ahead + _fractions(onset, at)) + expected.lead
     values = tuple(float(onset[i]) for i in at)
     findings = list(_sign_finding(sign, names, name))
+    if road.recurrence is None:
+        again = _met_again(onset, like * sign * power, int(at[0]), expected.length)
+        if len(again):
+            later = time[0] + step * (again - ahead) + expected.lead
+            listed = ", ".join(f"{instant:.3g} s" for instant in sorted([*later, times[0]]))
+            findings.append(finding("identify.met_again", name, float(len(later) + 1), times=listed))
+    elif len(times) > 2:
+        behind = _another_obstacle(onset, power, at, expected, names) * step * velocity
+        if behind > 0.0:
+            raise FitError(
+                "each loop of the belt holds an obstacle that the road lacks",
+                where=name,
+                found=f"another one {behind:.3g} m behind the start of the first",
+                allowed=_of(road),
+                hint="Describe all of them, as a train or a profile of the whole loop, or take the other one off.",
+            )
     if road.recurrence is None or len(times) < 2:
         return Passages(tuple(map(float, times)), values, velocity, findings=tuple(findings))
     return _looped(data, names, times, values, road.recurrence, velocity, findings, name)
@@ -188,6 +234,7 @@ class _Expected:
     lead: float
     length: int  # samples in which the response is that of all obstacles
     onset: int  # samples up to the end of the first one
+    last: int  # samples from the start of the first to that of the last one
     period: float | None
 
     def window(self, names: Sequence[str], length: int) -> Array:
@@ -236,7 +283,8 @@ def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[
         seen = filter_signals(values, 1.0 / step, sensors[name], where=name) if name in sensors else values
         signals[name] = seen[first:]
     onset = min(lead + _first(road) / speed + _ONSET, span)
-    return _Expected(signals, lead, round(span / step), round(onset / step), period)
+    last = (length - _first(road)) / speed
+    return _Expected(signals, lead, round(span / step), round(onset / step), round(last / step), period)
 
 
 # finding --------------------------------------------------------------------------------------------------------------
@@ -298,6 +346,55 @@ def _peaks(like: Array, power: Array, step: float, period: float | None) -> tupl
 
 _SHARE = 0.6
 """Share of the best score from which on another place is a passage, too."""
+
+
+def _sought(data: xr.Dataset, names: Sequence[str], expected: _Expected, like: Array, step: float) -> Sought:
+    """The model's response, each channel about the mean of the record, where the record is most like it."""
+    best = int(np.argmax(np.abs(like)))
+    begin = float(data["time"][0]) + best * step - expected.lead
+    count = expected.length
+    channels = {}
+    for name in names:
+        values = expected.signals[name][:count]
+        middle = float(data[name].mean()) - float(values.mean())
+        channels[name] = values + middle, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", ""))
+    clock = begin + step * np.arange(count)
+    return Sought(data[list(names)], recording_of(clock, channels, attributes={}), float(np.abs(like[best])))
+
+
+def _met_again(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
+    """Samples at which an obstacle that does not come again, by its road, is met once more."""
+    from scipy.signal import find_peaks
+
+    padded = np.concatenate([[-1.0], score, [-1.0]])
+    peaks = find_peaks(padded, height=_SHARE * score.max(), distance=length)[0] - 1
+    surest = np.array([_best(onset, int(i), length // 2) for i in peaks], dtype=int)
+    return surest[(onset[surest] >= _CLEAR) & (np.abs(surest - at) > length)] if len(surest) else surest
+
+
+def _another_obstacle(onset: Array, power: Array, at: np.ndarray, expected: _Expected, names: Sequence[str]) -> int:
+    """Samples from the start of an obstacle to another one that every loop holds beside those of the road; 0: none.
+
+    Wheel and body swing on and look like another obstacle a little; how much the model's own loop tells.
+    """
+    loop = expected.window(names, len(next(iter(expected.signals.values()))))
+    own, _ = _likeness(np.hstack([loop, loop]), expected.window(names, expected.onset), 0)
+    period = int(np.min(np.diff(at)))
+    reach = np.arange(expected.last + expected.onset, min(period - expected.onset, loop.shape[1]))
+    whole = at[(at + period < len(onset))]
+    if not len(reach) or len(whole) < 2:
+        return 0
+    seen = np.min([onset[i + reach] for i in whole], axis=0)
+    strong = np.min([power[i + reach] / power[i] for i in whole], axis=0)
+    more = np.where((strong >= _SHARE) & (seen >= _CLEAR), seen - own[reach], 0.0)
+    best = int(np.argmax(more))
+    return int(reach[best]) if more[best] >= _MORE_ALIKE else 0
+
+
+_CLEAR = 0.8
+"""Correlation with the onset from which on a place where none was expected counts as another passage."""
+_MORE_ALIKE = 0.3
+"""How much more a place of the loop is like the onset than the same place of the model's loop, to be an obstacle."""
 
 
 def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None) -> np.ndarray:
@@ -498,3 +595,21 @@ def averaged_trial(trial: FitTrial, found: Passages) -> FitTrial:
     driven, begin = running_trial(trial.rig, road, found.speed)
     loop = found.loop.assign_coords(time=("time", found.loop["time"].to_numpy() + begin, {"units": "s"}))
     return replace(trial, trial=driven, measured=loop, noise=found.noise)
+
+
+def trial_on_running_belt(trial: FitTrial, found: Passages) -> FitTrial:
+    """Give the trial with its record as it is, on a belt that has been running, at the speed found.
+
+    For records that hold no loop in full: the model meets the obstacle when the record does for the first time.
+    """
+    road = trial.trial.road
+    assert road is not None
+    assert road.recurrence is not None
+    driven, begin = running_trial(trial.rig, road, found.speed)
+    period = road.recurrence / found.speed
+    time = np.asarray(trial.measured["time"].to_numpy(), dtype=float)
+    shift = begin + LEAD * period - found.times[0]
+    if time[0] + shift < 0.0:  # what was met before is longer ago than the loops that are run before
+        shift += period * math.ceil(-(time[0] + shift) / period)
+    shifted = trial.measured.assign_coords(time=("time", time + shift, trial.measured["time"].attrs))
+    return replace(trial, trial=driven.changed(duration=float(time[-1] + shift)), measured=shifted)

@@ -197,9 +197,7 @@ def _offset_removed(name: str, recorded: Array, zero: float, chain: Sensitivity,
     """Say which mean was taken off behind AC coupling, where it can be seen beside the signal."""
     if abs(zero) <= _SEEN * float(np.ptp(recorded)):
         return []
-    unit, offset = channel_unit(name), zero / chain.factor
-    numbers = {"recorded": zero, "electrical": chain.recorded.replace("1", "counts"), "offset": offset, "unit": unit}
-    return [finding("recordings.offset_removed", f"{where}: {name}", offset, **numbers)]
+    return [finding("recordings.offset_removed", f"{where}: {name}", zero / chain.factor)]
 
 
 _SEEN = 0.01  # of the range of a signal, from which on an offset is said

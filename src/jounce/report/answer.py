@@ -196,6 +196,8 @@ def _word(one: Answer) -> Cell | str:
     return Cell("bench only", "muted") if one.bench is not None else "–"
 
 
+_LONGEST_TITLE = 27
+"""Bold letters above a panel of 300 pixels."""
 _LANES = ("rig file", "bench", "updated model", "the part", "truth")
 
 
@@ -237,11 +239,12 @@ def _panel(one: Answer) -> Panel | None:
         series.append(Series([value * unit.factor], [lane], role, mark))  # type: ignore[arg-type]
     verticals = ((one.truth * unit.factor, "bad", ""),) if one.truth is not None else ()
     title = f"{one.path}, {one.where}" if one.where else one.path
-    most = 40
+    while len(title) > _LONGEST_TITLE and "." in title.partition(",")[0]:
+        title = title.partition(".")[2]  # the table above has the whole path
     return Panel(
         tuple(series),
         unit.label(""),
-        title=title if len(title) <= most else f"…{title[1 - most :]}",
+        title=title,
         verticals=verticals,
         lanes=tuple(name for name, *_ in shown),
         width=300,

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from jounce.campaign.trial_result import TrialResult
     from jounce.design.model_comparison import ModelComparison, PeakDifference
     from jounce.identify.discrepancy import Discrepancy
+    from jounce.identify.passages import Sought
 
 
 SYNTHETIC_NOTE = "Synthetic data, not measurements"
@@ -546,10 +547,35 @@ def curves(result: CampaignResult) -> Section:
         lost = Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
         if scene is None and (trial.signals or trial.signals_before):
             continue  # one of very many: the viewer says which are shown
-        blocks.append(Details(_heading(trial), (lost if scene is None else trial_chart(scene, trial),)))
+        sought = result.sought.get(trial.entry.number)
+        parts: list[Block] = [] if sought is None else [_sought(sought, trial.entry.number)]
+        if scene is not None:
+            parts.insert(0, trial_chart(scene, trial))
+        blocks.append(Details(_heading(trial), tuple(parts or [lost])))
     if not result.trials:
         blocks.append(Paragraph("This campaign contains no trial."))
     return Section("Curves", tuple(blocks))
+
+
+def _sought(found: Sought, number: int) -> Chart:
+    """The record of a trial, and what was looked for in it where it is most like it."""
+    time = found.response["time"].to_numpy()
+    around = 2.0 * float(time[-1] - time[0])
+    record = found.record.sel(time=slice(float(time[0]) - around, float(time[-1]) + around))
+    panels = []
+    for name in map(str, record.data_vars):
+        unit = display_unit(str(record[name].attrs["units"]))
+        series = tuple(
+            Series(one["time"].to_numpy(), one[name].to_numpy() * unit.factor, role, "line", label)
+            for one, role, label in ((record, "measured", "record"), (found.response, "after", "looked for"))
+        )
+        panels.append(Panel(series, "time [s]", unit.label(""), name))
+    caption = (
+        f"Trial {number}: the obstacle was not found. The model's response is drawn where the record is most like it, "
+        f"with a correlation of {found.likeness:.2f}."
+    )
+    words = "Record, and the response of the model that was looked for in it."
+    return Chart(tuple(panels), f"sought-{number}", caption, words, columns=1)
 
 
 def _verdicts_of(result: CampaignResult) -> dict[int, tuple[str, Tone]]:

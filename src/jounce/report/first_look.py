@@ -116,7 +116,8 @@ def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for trial in statistics:
         for row in trial.channels:
-            values = (row.mean.value, row.rms.value, row.minimum, row.maximum)
+            mean = row.mean.value if abs(row.mean.value) > _ROUNDING * row.rms.value else 0.0
+            values = (mean, row.rms.value, row.minimum, row.maximum)
             share = trial.clipped[row.channel]
             clipped = Cell(percent(share), "bad", "at its limits") if share else "–"
             rows.append(
@@ -129,8 +130,14 @@ def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
                 )
             )
     header = ("trial", "channel", "mean (offset)", "r.m.s.", "minimum", "maximum", "crest factor", "clipped")
-    note = "As recorded, before zeros are taken off. Clipped: share of the samples that lie at the channel's limits."
+    note = (
+        "Before the fit takes zeros off; behind AC coupling the mean is off already. Clipped: share of the samples "
+        "that lie at the channel's limits."
+    )
     return PageTable("Statistics of the channels", header, tuple(rows), "llrrrrrr", note)
+
+
+_ROUNDING = 1e-9  # of the r.m.s.: what is left of a mean that the conditioning took off
 
 
 def _trials(numbers: Sequence[int]) -> str:

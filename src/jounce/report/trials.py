@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -160,8 +161,9 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
     edges = drive.segments().edges
     begin = float(edges[1]) if drive.road is not None and drive.road.start > 0.0 and len(edges) > 2 else 0.0
     loops = 0.0  # a record that begins on a running belt
-    if drive.road is not None and drive.road.recurrence is not None:
-        loops = float(trial.motion.time[0])
+    if drive.road is not None and drive.road.recurrence is not None and drive.speed is not None:
+        period = drive.road.recurrence / drive.speed
+        loops = math.ceil((float(trial.motion.time[0]) - begin) / period - 1e-9) * period
     end = min(drive.end() + loops, last)
     return (begin + loops, end) if 0.0 < end - begin - loops < 0.8 * last else None
 

@@ -11,7 +11,14 @@ import xarray as xr
 import jounce as jn
 from jounce.core.errors import FitError
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import LEAD, averaged_trial, find_passages, one_loop, running_trial
+from jounce.identify.passages import (
+    LEAD,
+    ObstacleNotFoundError,
+    averaged_trial,
+    find_passages,
+    one_loop,
+    running_trial,
+)
 from jounce.recordings import Sensor
 from jounce.simulation.running import loops_before
 
@@ -231,3 +238,46 @@ def test_a_fit_weighs_an_average_with_the_scatter_of_its_loops() -> None:
 
 
 EXACT = jn.Doubt(**{name: 0.0 for name in jn.Doubt.model_fields if name != "values"})
+
+
+@pytest.mark.parametrize("speed", [1.95, 3.87])
+@pytest.mark.parametrize("apart", [0.25, 0.985, 1.5])
+def test_another_obstacle_on_the_belt_is_refused(speed: float, apart: float) -> None:
+    """0.985 m is half the belt: its loops look like those of a belt of half the length."""
+    both = jn.Train(of=ONE, count=2, pitch=apart).model_copy(update={"recurrence": BELT})
+    with pytest.raises(FitError, match="an obstacle that the road lacks") as refused:
+        find_passages(record(both, speed), RIG, on_belt(ONE), speed)
+    behind = float(str(refused.value.found).split()[2])
+    assert min(abs(behind - apart), abs(behind - (BELT - apart))) < 0.01
+
+
+@pytest.mark.parametrize("speed", [1.95, 3.0, 3.87])
+@pytest.mark.parametrize("road", [ONE, jn.Train(of=ONE, count=5, pitch=0.1), jn.Train(of=ONE, count=3, pitch=0.3)])
+def test_what_swings_on_is_no_other_obstacle(road: jn.Road, speed: float) -> None:
+    found = find_passages(record(on_belt(road), speed), RIG, on_belt(road), speed)
+    assert found.findings == ()
+
+
+def test_an_obstacle_that_comes_again_without_a_belt_is_said() -> None:
+    found = find_passages(record(on_belt(ONE), 1.95), RIG, ONE, 1.95)
+    (said,) = found.findings
+    assert said.code == "identify.met_again"
+    assert said.value == 5.0
+    assert "0.741 s, 1.75 s, 2.76 s, 3.77 s, 4.78 s" in said.message
+
+
+def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> None:
+    time = np.arange(0.0, 3.0, 1e-3)
+    noise = np.random.default_rng(2).standard_normal((2, time.size))
+    names = ("sprung.az", "unsprung.az")
+    quiet = jn.recording(time, {name: (row, "m/s^2", "") for name, row in zip(names, noise, strict=True)})
+    with pytest.raises(ObstacleNotFoundError) as refused:
+        find_passages(quiet, RIG, on_belt(ONE), 1.95)
+    sought = refused.value.sought
+    assert set(sought.record.data_vars) == set(names)
+    at = sought.response["time"].to_numpy()
+    inside = (at >= 0.0) & (at <= time[-1])
+    parts = [np.interp(at[inside], time, quiet[name].to_numpy()) for name in names]
+    wanted = [sought.response[name].to_numpy()[inside] for name in names]
+    like = [np.corrcoef(part, want)[0, 1] for part, want in zip(parts, wanted, strict=True)]
+    assert abs(np.mean(like)) > sought.likeness > 0.1  # which counts quiet parts as loud: by chance it is 0.0

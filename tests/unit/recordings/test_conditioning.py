@@ -154,7 +154,7 @@ def test_filters_have_the_response_of_the_analogue_ones(order: int, corner: floa
         assert np.max(np.abs(found - wanted)[beside], initial=0.0) < error
 
 
-def test_an_offset_behind_ac_coupling_is_said_with_its_size() -> None:
+def test_an_offset_behind_ac_coupling_is_said() -> None:
     time = np.arange(1000) * 1e-3
     wave = np.sin(2.0 * np.pi * 10.0 * time)
     for offset, codes in ((0.5, ["recordings.offset_removed"]), (0.0, [])):
@@ -165,7 +165,6 @@ def test_an_offset_behind_ac_coupling_is_said_with_its_size() -> None:
         assert float(run["sprung.az"].mean()) == pytest.approx(0.0, abs=1e-9)
         for item in findings:
             assert item.value == pytest.approx(5.0, rel=1e-6)
-            assert "0.5 V (5 m/s^2)" in item.message
         stated, findings = conditioned(raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv")
         assert findings == []
         assert float(stated["sprung.az"].mean()) == pytest.approx(10.0 * offset, abs=1e-9)

@@ -12,6 +12,7 @@ import pytest
 import jounce as jn
 from jounce.campaign.characterise import Characterisation
 from jounce.campaign.result import CampaignResult
+from jounce.core.findings import finding
 from jounce.report import campaign_page, write_campaign
 from jounce.report.campaign import most_important
 from jounce.report.page import Details, Facts, PageTable
@@ -217,11 +218,11 @@ def test_superseded_updates_stand_folded_with_their_findings(result: CampaignRes
 def test_findings_that_differ_in_numbers_are_one() -> None:
     findings = [
         jn.Finding("a", "note", "n"),
-        jn.Finding("d1", "warning", "from 1.1 to 1.5 N"),
-        jn.Finding("d2", "warning", "from 2.3 to 4.5 N"),
+        finding("identify.mass_moved", "d1", 0.1, moved=0.1),
+        finding("identify.mass_moved", "d2", 0.2, moved=0.2),
         jn.Finding("t", "problem", "lost"),
     ]
-    assert [finding.place for finding in most_important(findings)] == ["t", "d1", "a"]
+    assert [item.place for item in most_important(findings)] == ["t", "d1", "a"]
 
 
 def test_failures_are_shown_as_such(damaged: CampaignResult, tmp_path: Path) -> None:
