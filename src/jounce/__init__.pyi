@@ -110,6 +110,11 @@ from .identify.stiffness import fit_stiffness as fit_stiffness
 from .identify.update import UpdatedParameter as UpdatedParameter
 from .identify.update import UpdateResult as UpdateResult
 from .identify.update import update_model as update_model
+from .inspection.archive.questions import export_inspections as export_inspections
+from .inspection.archive.questions import find_inspections as find_inspections
+from .inspection.archive.questions import read_inspection_history as read_inspection_history
+from .inspection.archive.questions import reevaluate_inspections as reevaluate_inspections
+from .inspection.archive.questions import verify_inspections as verify_inspections
 from .inspection.equivalence import compare_tests as compare_tests
 from .inspection.equivalence import study_equivalence as study_equivalence
 from .inspection.evaluation import evaluate as evaluate

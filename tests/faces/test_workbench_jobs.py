@@ -152,13 +152,13 @@ def test_python_of_a_store_gives_what_its_commands_give(tmp_path, cli):
         assert told["wheels"] == _plain(names["whole"].axles[0].to_dict()["wheels"])
     for store in ("python.sqlite", "command.sqlite"):
         names, told = _by_python_and_command(tmp_path, {"kind": "history", "store": store, "plate": "bö1"}, cli)
-        flat = [{**one, **one.pop("values")} for one in _plain(names["visits"])]
+        flat = [{**one, **one.pop("values")} for one in _plain(names["result"].visits)]
         assert told["wheels"] == [{key: one[key] for key in told["wheels"][0]} for one in flat]
-        assert told["trends"] == _plain(names["trends_of"](names["visits"]))
+        assert told["trends"] == _plain(names["result"].trends)
         assert [one["date"] for one in told["wheels"]] == 2 * ["2025-05-06"] + 2 * ["2026-05-06"]
         searched = {"kind": "search", "store": store, "tester": car["tester"], "since": "2026-01-01"}
         names, told = _by_python_and_command(tmp_path, searched, cli)
-        (one,) = names["records"]
+        (one,) = names["result"].records
         assert [(record["plate"], record["vehicle"], record["verdict"]) for record in told["records"]] == [
             ("B-Ö 1", "audi-a6-half-car-4dof", one.grading.verdict)
         ]

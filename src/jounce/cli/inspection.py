@@ -14,28 +14,23 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.derived import add_commands
 from jounce.cli.options import (
     STROKE,
     AsJson,
     Changes,
-    FigureFile,
     Force,
-    ReportFile,
     changes,
     check_outputs,
     warn_of,
-    write_picture,
-    write_report,
 )
 from jounce.cli.reply import (
     DONE,
-    FAILED,
     REFUSED,
     Reply,
     drawing,
     progress,
     show_written,
-    table,
     tell,
 )
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, is_of_system, unknown
@@ -44,13 +39,10 @@ from jounce.core.text import visible
 from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.inspection.archive.entries import StoredRecord
     from jounce.inspection.archive.lane import ImportedRecord, InspectedRecord
-    from jounce.inspection.archive.reevaluation import Reevaluation
     from jounce.inspection.archive.store import Store
     from jounce.inspection.grading import VehicleGrade
     from jounce.inspection.limits import Limits
@@ -424,16 +416,6 @@ TesterName = Annotated[
     typer.Option(help="A tester file, or the name of a shipped one; by default the one named in the header."),
 ]
 LimitsName = Annotated[str | None, typer.Option("--limits", help="A limits file instead of the shipped limits.")]
-Plate = Annotated[
-    str | None, typer.Option(help="Number plate, or a pattern such as B-AB*; case, spaces and hyphens are ignored.")
-]
-Verdict = Annotated[str | None, typer.Option(help="Verdict of the axle: pass, advise, fail or not graded.")]
-TesterIs = Annotated[
-    str | None, typer.Option("--tester", help="Name of the tester, as in its file, or of a shipped one.")
-]
-Since = Annotated[str | None, typer.Option(help="First day, e.g. 2026-01-31.")]
-Until = Annotated[str | None, typer.Option(help="Last day.")]
-_SHOWN = ("number", "date", "plate", "vehicle", "axle", "tester", "name")
 
 
 @app.command("import")
@@ -533,204 +515,10 @@ def watch(
     return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json, code)
 
 
-@app.command("reevaluate")
-def reevaluate(
-    store: StoreName,
-    limits: LimitsName = None,
-    tester: Annotated[
-        str | None, typer.Option(help="Tester of records that name none: a tester file, or the name of a shipped one.")
-    ] = None,
-    workers: Annotated[int, typer.Option(min=1, help="Number of processes.")] = 2,
-    from_files: Annotated[bool, typer.Option("--from-files", help="Read the original files again (slower).")] = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Evaluate and grade all stored records again, under other limits; earlier gradings are kept.
-
-    Example: jounce inspect reevaluate --store lane.sqlite --limits stricter.toml
-    """
-    from jounce.inspection.archive.reevaluation import reevaluate as again
-    from jounce.inspection.archive.store import Store
-    from jounce.inspection.limits import load_limits
-
-    chosen, graded_by = _given_tester(tester), load_limits(limits)
-    Store(store, read_only=True).close()  # where there is no store, none is made
-    with closing(Store(store)) as opened, progress() as say:
-        found = again(
-            opened, graded_by, tester=chosen, workers=workers, from_files=from_files,
-            say=lambda done, number: say(f"evaluated {done} of {number}"),
-        )  # fmt: skip
-    plain = {
-        "store": opened.location, "limits": graded_by.label, "records": found.records, "added": found.added,
-        "unchanged": found.unchanged, "changed": found.changed, "failed": found.failed,
-        "changes": [{"before": a, "after": b, "records": count} for (a, b), count in found.changes.items()],
-    }  # fmt: skip
-    return Reply(plain, lambda out: _draw_again(out, found, graded_by.label), as_json, FAILED if found.failed else DONE)
-
-
-@app.command("history")
-def history(
-    plate: Annotated[str, typer.Option(help="Number plate; case, spaces and hyphens are ignored.")],
-    store: StoreName,
-    figure: FigureFile = None,
-    report: ReportFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Show the history of one vehicle: adhesion, phase angle and damping ratio of each wheel, and their trends.
-
-    Example: jounce inspect history --plate "B-AB 123" --store lane.sqlite --figure history.svg
-    """
-    from jounce.inspection.archive.history import history_of, trends_of
-    from jounce.inspection.archive.store import Store
-
-    check_outputs(figure=figure, report=report, force=force)
-    with closing(Store(store, read_only=True)) as opened:
-        records = opened.records(plate=plate)
-        visits = history_of(opened, plate)
-    if not records:
-        raise RecordingError(
-            "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
-        )
-    trends = trends_of(visits)
-
-    def picture() -> Figure:
-        from jounce.plots.inspection import vehicle_history
-
-        return vehicle_history(visits)
-
-    name = ", ".join(filter(None, (records[-1].plate, records[-1].vehicle)))
-
-    def page() -> Page:
-        from jounce.report import history_page
-
-        return history_page(visits, trends, title=name)
-
-    drawn, missing = write_picture(picture, figure, name, force=force)
-    document, undrawn = write_report(page, report, force=force)
-    plain = {
-        "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
-        "wheels": [
-            {
-                "record": one.record, "date": one.date, "axle": one.axle, "wheel": one.wheel, **one.values,
-                "verdict": one.verdict, "limits": one.limits, "unreliable": one.unreliable,
-            }
-            for one in visits
-        ],
-        "trends": trends, "figure": drawn, "report": document,
-    }  # fmt: skip
-    missing = [*missing, *undrawn]
-    return replace(_page_reply(plain, page(), as_json=as_json), missing=missing)
-
-
-@app.command("search")
-def search(
-    store: StoreName,
-    plate: Plate = None,
-    verdict: Verdict = None,
-    tester: TesterIs = None,
-    since: Since = None,
-    until: Until = None,
-    as_json: AsJson = False,
-) -> Reply:
-    """Find records by plate, verdict, tester and date.
-
-    Example: jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01
-    """
-    from jounce.inspection.archive.store import Store
-
-    conditions = _conditions(plate, verdict, tester, since, until)
-    with closing(Store(store, read_only=True)) as opened:
-        found = [_summary(record) for record in opened.records(**conditions)]
-    columns = (*_SHOWN, "verdict")
-    rows = [[record[name] for name in columns] for record in found]
-    title = f"{len(found)} record{'' if len(found) == 1 else 's'}"
-    shown = lambda out: out.print(table(title, columns, rows, text=range(1, len(columns))))  # noqa: E731
-    return Reply({"store": opened.location, "records": found}, shown, as_json)
-
-
-@app.command("export")
-def export(
-    store: StoreName,
-    out: Annotated[Path, typer.Option(help="Table to write: .csv or .parquet.")],
-    plate: Plate = None,
-    verdict: Verdict = None,
-    tester: TesterIs = None,
-    since: Since = None,
-    until: Until = None,
-    damaged: Annotated[
-        bool, typer.Option("--damaged", help="Write everything that can still be read from a damaged store.")
-    ] = False,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Write the latest results as a table with one row per wheel (SI).
-
-    Example: jounce inspect export --store lane.sqlite --out lane.parquet --since 2026-01-01
-    """
-    from jounce.inspection.archive.exporting import check_export, rows_of
-    from jounce.inspection.archive.exporting import export as write
-    from jounce.inspection.archive.store import Store
-
-    conditions = _conditions(plate, verdict, tester, since, until)
-    check_export(out, force=force)
-    lost: list[str] = []
-    with closing(Store(store, read_only=True, damaged=damaged)) as opened:
-        if damaged:
-            records, lost = opened.readable_records()
-        else:
-            records = opened.records(**conditions)
-    rows = rows_of(records)
-    write(rows, out, force=force)
-    for text in lost:
-        tell(text)
-    plain = {"store": opened.location, "out": str(out), "records": len(records), "rows": len(rows), "lost": lost}
-    said = f"written: {out}, {len(records)} records, {len(rows)} rows"
-    return Reply(plain, lambda console: console.print(said), as_json, FAILED if lost else DONE)
-
-
-@app.command("verify")
-def verify(store: StoreName, as_json: AsJson = False) -> Reply:
-    """Check a store byte by byte: the database, and every record against its checksum. Nothing is written.
-
-    Example: jounce inspect verify --store lane.sqlite
-    """
-    from jounce.inspection.archive.store import Store
-
-    with closing(Store(store, read_only=True)) as opened:
-        found, count = opened.problems(), len(opened.numbers())
-    plain = {"store": opened.location, "records": count, "problems": found}
-    if found:
-        raise RecordingError(
-            f"the store is damaged: {'; '.join(found)}", where=opened.location, hint="Use a copy of the store."
-        )
-    return Reply(plain, lambda out: out.print(f"{opened.location}: sound, {count} records"), as_json)
-
-
 def _given_tester(name: str | None) -> Tester | None:
     from jounce.parts.testers import load_tester
 
     return None if name is None else load_tester(name)
-
-
-def _conditions(
-    plate: str | None, verdict: str | None, tester: str | None, since: str | None, until: str | None
-) -> dict[str, Any]:
-    """Conditions of a search, checked."""
-    from jounce.inspection.archive.history import day_number
-    from jounce.inspection.limits import VERDICTS
-    from jounce.inspection.result import NOT_GRADED
-
-    words = (*VERDICTS, *(() if NOT_GRADED in VERDICTS else (NOT_GRADED,)))
-    if verdict is not None and verdict not in words:
-        raise unknown(verdict, words, what="verdict", where="--verdict")
-    for option, day in (("--since", since), ("--until", until)):
-        if day is not None and day_number(day) is None:
-            raise DescriptionError("not a date", where=option, found=day, allowed="e.g. 2026-01-31")
-    if tester is not None:
-        from jounce.parts.testers import library, load_tester
-
-        tester = load_tester(tester).name if tester in library() else tester
-    return {"plate": plate, "verdict": verdict, "tester": tester, "since": since, "until": until}
 
 
 @contextmanager
@@ -773,17 +561,4 @@ def _draw_import(out: Console, kept: list[ImportedRecord], failed: dict[str, str
         out.print("what the warnings are: column findings of inspect export")
 
 
-def _draw_again(out: Console, found: Reevaluation, label: str) -> None:
-    out.print(
-        f"{found.records} records under limits {label}: {found.added} gradings added, {found.unchanged} unchanged"
-    )
-    for (before, after), count in found.changes.items():
-        out.print(f"  {before or 'without a grading'} → {after}: {count}")
-    for number, problem in found.failed.items():
-        out.print(f"problem: record {number}: {problem}", soft_wrap=not out.is_terminal)
-
-
-def _summary(record: StoredRecord) -> dict[str, Any]:
-    grading = record.grading
-    about = {name: getattr(record, name) for name in (*_SHOWN, "accepted")}
-    return {**about, "verdict": grading and grading.verdict, "limits": grading and grading.limits}
+add_commands(app, "inspect")

@@ -50,6 +50,7 @@ MODULES = (
     "jounce.exchange.mjcf",
     "jounce.exchange.roads",
     "jounce.identify.calibration",
+    "jounce.inspection.archive.questions",
     "jounce.inspection.equivalence",
     "jounce.kinematics.swept",
     "jounce.kinematics.axle_loads",

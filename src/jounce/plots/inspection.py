@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from jounce.inspection.archive.history import WheelVisit
+    from jounce.inspection.archive.questions import VehicleHistory
     from jounce.inspection.equivalence import Equivalence, Factor
     from jounce.inspection.result import Inspection, WheelResult
 
@@ -245,6 +246,11 @@ def _decimal_commas(axes: Axes, language: str) -> None:
 
 _HOLLOW = " (hollow: unreliable, as after lift-off)"
 _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
+
+
+def history_figure(result: VehicleHistory, title: str = "") -> Figure:  # noqa: ARG001 - the page has the title
+    """Draw the history of a vehicle."""
+    return vehicle_history(result.visits)
 
 
 @styled

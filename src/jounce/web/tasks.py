@@ -301,13 +301,8 @@ class HistoryTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         store = _file(project, self.store)
-        words = ["inspect", "history", f"--plate={self.plate}", f"--store={store}"]
-        python = (
-            "from jounce.inspection.archive.history import history_of, trends_of\n"
-            "from jounce.inspection.archive.store import Store\n\n"
-            f"visits = history_of(Store({store!r}, read_only=True), {self.plate!r})\nprint(trends_of(visits))\n"
-        )
-        return Doing(f"History of {self.plate}", words, _REPORT, python, patience=60.0)
+        request = _request("inspect history", {"plate": self.plate, "store": store})
+        return Doing(f"History of {self.plate}", request.words(), _REPORT, request.python(), patience=60.0)
 
 
 class SearchTask(_Task):
@@ -322,20 +317,9 @@ class SearchTask(_Task):
     until: Text = ""
 
     def _doing(self, project: Project) -> Doing:
-        from jounce.parts.testers import library, load_tester
-
         store = _file(project, self.store)
-        names = ("plate", "verdict", "tester", "since", "until")
-        given = {name: getattr(self, name) for name in names if getattr(self, name)}
-        words = ["inspect", "search", f"--store={store}", *(f"--{name}={text}" for name, text in given.items())]
-        if self.tester in library():
-            given["tester"] = load_tester(self.tester).name  # by which a store knows it
-        python = (
-            "from jounce.inspection.archive.store import Store\n\n"
-            f"records = Store({store!r}, read_only=True).records({arguments(given)})\n"
-            "for one in records:\n    print(one.date, one.plate, one.axle, one.grading and one.grading.verdict)\n"
-        )
-        return Doing(f"Search in {store}", words, [], python, patience=60.0)
+        request = _request("inspect search", {**self.model_dump(exclude={"kind"}), "store": store})
+        return Doing(f"Search in {store}", request.words(), [], request.python(), patience=60.0)
 
 
 class NewCampaignTask(_Task):

@@ -1,0 +1,467 @@
+"""Questions to a store of records: history of a vehicle, search, table of results, verification, evaluation again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.operation import Count, File, Mark, Switch, operation
+from jounce.core.serialise import Plain, to_plain
+from jounce.core.shown import Shown
+from jounce.inspection.archive.entries import StoredRecord
+from jounce.inspection.archive.exporting import check_export, export, rows_of
+from jounce.inspection.archive.history import Trend, WheelVisit, day_number, history_of, trends_of
+from jounce.inspection.archive.reevaluation import Reevaluation, reevaluate
+from jounce.inspection.archive.store import Store
+from jounce.inspection.limits import VERDICTS, load_limits
+from jounce.inspection.result import NOT_GRADED
+from jounce.parts.testers import library, load_tester
+
+STORE = Mark("The store: a SQLite file, or a database URL.", "STORE")
+PLATES = Mark("Number plate, or a pattern such as B-AB*; case, spaces and hyphens are ignored.", "PLATE")
+VERDICT = Mark("Verdict of the axle: pass, advise, fail or not graded.", "VERDICT")
+TESTER = Mark("Name of the tester, as in its file, or of a shipped one.", "TESTER")
+SINCE, UNTIL = Mark("First day, e.g. 2026-01-31.", "DAY"), Mark("Last day.", "DAY")
+COLUMNS = ("number", "date", "plate", "vehicle", "axle", "tester", "name")
+"""What a list of records shows of each, beside its verdict."""
+
+
+# history --------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class VehicleHistory(Shown):
+    """The history of one vehicle.
+
+    Attributes
+    ----------
+    plate, vehicle : str
+        As the newest record has them.
+    records : tuple of int
+        Numbers of its records.
+    visits : tuple of WheelVisit
+        What each wheel measured, by date, SI.
+    trends : tuple of Trend
+        How the values of each wheel change per year.
+    """
+
+    plate: str
+    vehicle: str
+    records: tuple[int, ...]
+    visits: tuple[WheelVisit, ...]
+    trends: tuple[Trend, ...]
+
+    @property
+    def title(self) -> str:
+        """Number plate and vehicle."""
+        return ", ".join(filter(None, (self.plate, self.vehicle)))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give visits and trends as plain data, SI."""
+        wheels = [
+            {
+                "record": visit.record,
+                "date": visit.date,
+                "axle": visit.axle,
+                "wheel": visit.wheel,
+                **visit.values,
+                "verdict": visit.verdict,
+                "limits": visit.limits,
+                "unreliable": visit.unreliable,
+            }
+            for visit in self.visits
+        ]
+        about = {"plate": self.plate, "vehicle": self.vehicle, "records": list(self.records)}
+        plain: dict[str, Any] = to_plain({**about, "wheels": wheels, "trends": self.trends})
+        return plain
+
+
+@operation(
+    "inspect history",
+    arguments=0,
+    offers=("figure", "report"),
+    figure="jounce.plots.inspection:history_figure",
+    page="jounce.report.stores:vehicle_history_page",
+    title="{result.title}",
+    doing="reading the store",
+    example='jounce inspect history --plate "B-AB 123" --store lane.sqlite --figure history.svg',
+)
+def read_inspection_history(
+    plate: Annotated[str, Mark("Number plate; case, spaces and hyphens are ignored.", "PLATE")],
+    store: Annotated[Path | str, STORE],
+) -> VehicleHistory:
+    """Show the history of one vehicle: adhesion, phase angle and damping ratio of each wheel, and their trends.
+
+    Parameters
+    ----------
+    plate : str
+        Number plate; case, spaces and hyphens are ignored.
+    store : Path or str
+        SQLite file, or a database URL.
+
+    Returns
+    -------
+    VehicleHistory
+        Visits of each wheel, SI, with the change of each value per year.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no such store, or no record of this plate in it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = tempfile.mkdtemp() + "/lane.sqlite"
+    >>> Store(file).close()
+    >>> read_inspection_history("B-AB 123", file)   # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    jounce.core.errors.RecordingError: ...: no record of this number plate; found 'B-AB 123'. See: inspect search.
+    """
+    with closing(Store(store, read_only=True)) as opened:
+        records, visits = opened.records(plate=plate), history_of(opened, plate)
+        if not records:
+            raise RecordingError(
+                "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
+            )
+    newest, numbers = records[-1], tuple(record.number for record in records)
+    return VehicleHistory(newest.plate, newest.vehicle, numbers, tuple(visits), tuple(trends_of(visits)))
+
+
+# search ---------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class FoundRecords(Shown):
+    """Records of a store that fulfil some conditions: where the store is, and the records by number."""
+
+    store: str
+    records: tuple[StoredRecord, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give what is to be known of each record, with its newest verdict."""
+        return {"store": self.store, "records": [_summary(record) for record in self.records]}
+
+
+def _summary(record: StoredRecord) -> dict[str, Any]:
+    grading = record.grading
+    about = {name: getattr(record, name) for name in (*COLUMNS, "accepted")}
+    return {**about, "verdict": grading and grading.verdict, "limits": grading and grading.limits}
+
+
+@operation(
+    "inspect search",
+    arguments=0,
+    page="jounce.report.stores:found_records_page",
+    title="{store}",
+    doing="reading the store",
+    example="jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01",
+)
+def find_inspections(
+    store: Annotated[Path | str, STORE],
+    plate: Annotated[str | None, PLATES] = None,
+    verdict: Annotated[str | None, VERDICT] = None,
+    tester: Annotated[str | None, TESTER] = None,
+    since: Annotated[str | None, SINCE] = None,
+    until: Annotated[str | None, UNTIL] = None,
+) -> FoundRecords:
+    """Find records by plate, verdict, tester and date.
+
+    Parameters
+    ----------
+    store : Path or str
+        SQLite file, or a database URL.
+    plate : str, optional
+        Number plate, or a pattern such as ``B-AB*``; case, spaces and hyphens are ignored.
+    verdict : str, optional
+        Of the axle: pass, advise, fail or not graded.
+    tester : str, optional
+        Name of the tester, as in its file, or of a shipped one.
+    since, until : str, optional
+        First and last day, such as ``2026-01-31``.
+
+    Returns
+    -------
+    FoundRecords
+        The records, with their newest gradings.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no such store.
+    DescriptionError
+        For an unknown verdict, and what is no date.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = tempfile.mkdtemp() + "/lane.sqlite"
+    >>> Store(file).close()
+    >>> find_inspections(file, verdict="fail").records
+    ()
+    """
+    conditions = _conditions(plate, verdict, tester, since, until)
+    with closing(Store(store, read_only=True)) as opened:
+        return FoundRecords(opened.location, tuple(opened.records(**conditions)))
+
+
+def _conditions(
+    plate: str | None, verdict: str | None, tester: str | None, since: str | None, until: str | None
+) -> dict[str, Any]:
+    """Check the conditions of a search."""
+    words = tuple(dict.fromkeys((*VERDICTS, NOT_GRADED)))
+    if verdict is not None and verdict not in words:
+        raise unknown(verdict, words, what="verdict", where="verdict")
+    for name, day in (("since", since), ("until", until)):
+        if day is not None and day_number(day) is None:
+            raise DescriptionError("not a date", where=name, found=day, allowed="e.g. 2026-01-31")
+    if tester is not None:
+        tester = load_tester(tester).name if tester in library() else tester
+    return {"plate": plate, "verdict": verdict, "tester": tester, "since": since, "until": until}
+
+
+# table ----------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ExportedRecords(Plain):
+    """A table that was written: store, file, counts of records and rows, and what a damaged store lost."""
+
+    store: str
+    out: str
+    records: int
+    rows: int
+    lost: tuple[str, ...] = ()
+
+    @property
+    def remark(self) -> str:
+        """What could not be read."""
+        return "; ".join(self.lost)
+
+    @property
+    def is_met(self) -> bool:
+        """Whether nothing is lost."""
+        return not self.lost
+
+
+@operation(
+    "inspect export",
+    arguments=0,
+    page="jounce.report.stores:exported_records_page",
+    title="{store}",
+    doing="reading the store",
+    example="jounce inspect export --store lane.sqlite --out lane.parquet --since 2026-01-01",
+)
+def export_inspections(
+    store: Annotated[Path | str, STORE],
+    out: Annotated[Path | str, File("Table to write: .csv or .parquet.", "FILE")],
+    *,
+    plate: Annotated[str | None, PLATES] = None,
+    verdict: Annotated[str | None, VERDICT] = None,
+    tester: Annotated[str | None, TESTER] = None,
+    since: Annotated[str | None, SINCE] = None,
+    until: Annotated[str | None, UNTIL] = None,
+    damaged: Annotated[bool, Switch("Write everything that can still be read from a damaged store.")] = False,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> ExportedRecords:
+    """Write the latest results as a table with one row per wheel (SI).
+
+    Parameters
+    ----------
+    store : Path or str
+        SQLite file, or a database URL.
+    out : Path or str
+        Table to write: ``.csv``, or ``.parquet`` (extra ``lane``).
+    plate, verdict, tester, since, until : str, optional
+        Conditions, as for :func:`find_inspections`.
+    damaged : bool
+        Write everything that can still be read from a damaged store, whatever the conditions.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    ExportedRecords
+        How many records and rows were written, and what was lost.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no such store, or where it is damaged, without ``damaged``.
+    OutputError
+        For another suffix, and an existing file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> folder = tempfile.mkdtemp()
+    >>> Store(folder + "/lane.sqlite").close()
+    >>> export_inspections(folder + "/lane.sqlite", folder + "/lane.csv").rows
+    0
+    """
+    conditions = _conditions(plate, verdict, tester, since, until)
+    check_export(out, force=force)
+    lost: Sequence[str] = ()
+    with closing(Store(store, read_only=True, damaged=damaged)) as opened:
+        if damaged:
+            records, lost = opened.readable_records()
+        else:
+            records = opened.records(**conditions)
+    rows = rows_of(records)
+    export(rows, out, force=force)
+    return ExportedRecords(opened.location, str(out), len(records), len(rows), tuple(lost))
+
+
+# verification and evaluation again ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class VerifiedStore(Plain):
+    """A store without a problem: where it is, and how many records it has."""
+
+    store: str
+    records: int
+    problems: tuple[str, ...] = ()
+
+
+@operation(
+    "inspect verify",
+    arguments=0,
+    page="jounce.report.stores:verified_store_page",
+    title="{store}",
+    doing="reading the store",
+    example="jounce inspect verify --store lane.sqlite",
+)
+def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
+    """Check a store byte by byte: the database, and every record against its checksum. Nothing is written.
+
+    Parameters
+    ----------
+    store : Path or str
+        SQLite file, or a database URL.
+
+    Returns
+    -------
+    VerifiedStore
+        How many records it has.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no such store, and for every kind of damage.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = tempfile.mkdtemp() + "/lane.sqlite"
+    >>> Store(file).close()
+    >>> verify_inspections(file).records
+    0
+    """
+    with closing(Store(store, read_only=True)) as opened:
+        problems, count = opened.problems(), len(opened.numbers())
+    if problems:
+        raise RecordingError(
+            f"the store is damaged: {'; '.join(problems)}", where=opened.location, hint="Use a copy of the store."
+        )
+    return VerifiedStore(opened.location, count)
+
+
+@dataclass(frozen=True)
+class ReevaluatedStore(Shown):
+    """A store whose records were evaluated again: where it is, by which limits, and what came of it."""
+
+    store: str
+    limits: str
+    result: Reevaluation
+
+    @property
+    def is_met(self) -> bool:
+        """Whether every record could be read again."""
+        return not self.result.failed
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give counts, changes of verdicts, and records that could not be read, as plain data."""
+        found = self.result
+        changes = [{"before": a, "after": b, "records": count} for (a, b), count in found.changes.items()]
+        names = ("records", "added", "unchanged", "changed", "failed")
+        about = {"store": self.store, "limits": self.limits, **{name: getattr(found, name) for name in names}}
+        plain: dict[str, Any] = to_plain({**about, "changes": changes})
+        return plain
+
+
+@operation(
+    "inspect reevaluate",
+    arguments=0,
+    page="jounce.report.stores:reevaluated_store_page",
+    title="{store}",
+    doing="evaluating",
+    example="jounce inspect reevaluate --store lane.sqlite --limits stricter.toml",
+)
+def reevaluate_inspections(
+    store: Annotated[Path | str, STORE],
+    limits: Annotated[Path | str | None, File("A limits file instead of the shipped limits.", "FILE")] = None,
+    *,
+    tester: Annotated[
+        Path | str | None,
+        Mark("Tester of records that name none: a tester file, or the name of a shipped one.", "TESTER"),
+    ] = None,
+    workers: Annotated[int, Count("Number of processes.", least=1)] = 2,
+    from_files: Annotated[bool, Switch("Read the original files again (slower).")] = False,
+    progress: Callable[[str], None] = lambda _: None,
+) -> ReevaluatedStore:
+    """Evaluate and grade all stored records again, under other limits; earlier gradings are kept.
+
+    Parameters
+    ----------
+    store : Path or str
+        SQLite file, or a database URL.
+    limits : Path or str, optional
+        Limits file instead of the shipped limits.
+    tester : Path or str, optional
+        Tester of records that name none.
+    workers : int
+        Number of processes, 1 or more.
+    from_files : bool
+        Read the original files again (slower).
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    ReevaluatedStore
+        Gradings that were added, and how verdicts changed.
+
+    Raises
+    ------
+    RecordingError
+        Where there is no such store.
+    DescriptionError
+        For limits or a tester that cannot be understood.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = tempfile.mkdtemp() + "/lane.sqlite"
+    >>> Store(file).close()
+    >>> reevaluate_inspections(file).result.records
+    0
+    """
+    if workers < 1:
+        raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
+    chosen, graded_by = None if tester is None else load_tester(tester), load_limits(limits)
+    Store(store, read_only=True).close()  # where there is no store, none is made
+    with closing(Store(store)) as opened:
+        found = reevaluate(
+            opened,
+            graded_by,
+            tester=chosen,
+            workers=workers,
+            from_files=from_files,
+            say=lambda done, number: progress(f"evaluated {done} of {number}"),
+        )
+    return ReevaluatedStore(opened.location, graded_by.label, found)
