@@ -19,6 +19,7 @@ from jounce.cli.reply import Elapsed, console, show_findings, table
 from jounce.cli.tables import FittedTable
 from jounce.core.display import chosen_units
 from jounce.core.findings import Finding
+from jounce.core.waiting import Stage, counted
 
 RIG = "kart-quarter-car"
 
@@ -289,14 +290,14 @@ def test_time_passed_and_time_left() -> None:
     line.say("loading")
     now[0] = 3.0
     assert line.text() == "loading · 3 s"
-    line.say("trial 1 of 4: a")
+    line.say(counted("trial {which} of {count}: {name}", 1, 4, name="a"))
     assert line.text() == "trial 1 of 4: a · 3 s"
     now[0] = 13.0
-    line.say("trial 2 of 4: b")
+    line.say(counted("trial {which} of {count}: {name}", 2, 4, name="b"))
     assert line.text() == "trial 2 of 4: b · 13 s, 25 %, about 30 s left"
     now[0] = 18.0
     assert line.text() == "trial 2 of 4: b · 18 s, 25 %, about 25 s left"
-    line.say("testing: 50 %")  # another phase: nothing is known of its speed
+    line.say(Stage("testing: {percent:.0f} %", share=0.5, percent=50.0))  # another phase: nothing is known of its speed
     assert line.text() == "testing: 50 % · 18 s, 50 %"
     line.waits = "compiling"
     assert line.text().startswith("compiling · 18 s")

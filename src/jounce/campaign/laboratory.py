@@ -14,9 +14,10 @@ from pydantic import Field, model_validator
 
 from jounce.campaign.belt import Belt
 from jounce.core.columns import name_and_unit, text_of
-from jounce.core.description import Description, Whole, misplaced, read_description
+from jounce.core.description import Description, Whole, read_description
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import reading
+from jounce.core.misplaced import misplaced, misplaced_value
 from jounce.core.units import Mass, PositiveHeight, PositiveLength, PositiveTime, Unit, is_unit_of, to_si
 from jounce.recordings.conditioning import sensitivity_of
 from jounce.recordings.schema import channel_unit, quantity_of
@@ -44,7 +45,7 @@ class CardChannel(Sensor):
             try:
                 sensitivity_of(self.sensitivity, channel_unit(self.measures), where="")
             except DescriptionError as error:
-                raise misplaced(("sensitivity",), str(error)) from None
+                raise misplaced_value(("sensitivity",), error) from None
         return self
 
 

@@ -30,6 +30,7 @@ from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.waiting import counted
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
@@ -431,7 +432,9 @@ class Runner:
             if chosen is not None and entry.name not in chosen:
                 continue
             try:
-                self.progress(f"update {k} of {len(self.campaign.update)}: {entry.name}")
+                self.progress(
+                    counted("update {which} of {count}: {name}", k, len(self.campaign.update), name=entry.name)
+                )
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
                 self.findings.append(finding("campaign.update_left_out", entry.name, error=reason(error)))
@@ -501,7 +504,9 @@ class Runner:
         """Hold every update against all trials, before and after it."""
         compared = []
         for k, strategy in enumerate(strategies, 1):
-            self.progress(f"compare strategy {k} of {len(strategies)}: {strategy.update.name}")
+            self.progress(
+                counted("compare strategy {which} of {count}: {name}", k, len(strategies), name=strategy.update.name)
+            )
             compared.append(self._compared(strategy))
         return compared
 
@@ -571,7 +576,7 @@ class Runner:
         if item is None:
             return TrialResult(entry, None, None, None, {}, {})
         which = list(self.loaded).index(entry.number) + 1
-        self.progress(f"compare trial {which} of {len(self.loaded)}: {name}")
+        self.progress(counted("compare trial {which} of {count}: {name}", which, len(self.loaded), name=name))
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self.comparison(item, start, lag)

@@ -15,6 +15,7 @@ from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, tabl
 from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.files import matching_files
+from jounce.core.waiting import counted
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -46,7 +47,7 @@ def check(
     checked, every = [], matching_files(given, "FILE")
     with progress() as say:
         for k, file in enumerate(every, 1):
-            say(f"checking {k} of {len(every)}: {file}")
+            say(counted("checking {which} of {count}: {name}", k, len(every), name=file))
             shipped = None if file.exists() else rigs().get(str(file))
             checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
     plain = {

@@ -37,6 +37,7 @@ from jounce.core.errors import DescriptionError, JounceError, OutputError, Recor
 from jounce.core.files import existing_file
 from jounce.core.text import visible
 from jounce.core.typed import positive_quantity, quantity
+from jounce.core.waiting import counted
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -142,7 +143,7 @@ def simulate(
     runs = []
     with progress() as say:
         for number, lost in enumerate(wears, 1):
-            say(f"testing {number} of {len(wears)}" if len(wears) > 1 else "testing")
+            say(counted("testing {which} of {count}", number, len(wears)) if len(wears) > 1 else "testing")
             found = simulate_inspection(
                 worn(chosen, lost) if lost else chosen, chosen_tester, method=method, steady=steady,
                 wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]

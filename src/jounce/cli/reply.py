@@ -6,7 +6,6 @@ import contextlib
 import io
 import json
 import os
-import re
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -30,10 +29,6 @@ if TYPE_CHECKING:
 
 
 PIPED_WIDTH = 140
-_PARTS = re.compile(
-    r"(?P<what>[^\n]*?)(?:; found (?P<found>'[^'\n]*'|[^;\n]*?))?(?:; allowed: (?P<allowed>[^\n]*?))?"
-    r"(?:\. (?P<hint>[A-Z][^\n]*))?[.]?"
-)
 DONE, FAILED, REFUSED, PIPE_CLOSED = 0, 1, 2, 141
 """Exit codes: all is well; something failed; the request is wrong; the reader of the output went away."""
 
@@ -98,8 +93,12 @@ def console(*, stderr: bool = False) -> Console:
 
 def print_json(plain: Mapping[str, Any]) -> None:
     """Print one strict JSON object to stdout; characters that the terminal cannot show are escaped."""
-    from jounce.core.serialise import to_json
+    from jounce.core.serialise import to_json, to_plain
 
+    if _FOLLOWER.get() is not None:  # a page, which may be German
+        from jounce.core.findings import for_page
+
+        plain = for_page(to_plain(plain))
     text = to_json(plain)
     if not _is_unicode(sys.stdout):
         text = json.dumps(json.loads(text), indent=2)
@@ -135,26 +134,8 @@ def _is_unicode(stream: TextIO) -> bool:
 def refuse(error: JounceError, *, as_json: bool) -> int:
     """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
     parts = {"what": error.what, "found": error.found, "allowed": error.allowed or None, "hint": error.hint or None}
-    if list(parts.values())[1:] == [None] * 3:  # a validator's message is one text
-        parts = _parts(error.what)
     first = {"kind": type(error).__name__, "message": str(error), "where": error.where or None}
     return report_error({**first, **parts}, REFUSED, as_json=as_json)
-
-
-def _parts(text: str) -> dict[str, Any]:
-    """What was wrong, found, allowed and to be done, of the message of one problem.
-
-    Examples
-    --------
-    >>> _parts("out of range; found '-1 m'; allowed: above 0 m")
-    {'what': 'out of range', 'found': '-1 m', 'allowed': 'above 0 m', 'hint': None}
-    """
-    match = _PARTS.fullmatch(text)
-    parts: dict[str, Any] = match.groupdict() if match else {"what": text, "found": None, "allowed": None, "hint": None}
-    quoted = parts["found"]
-    if quoted and len(quoted) > 1 and quoted[0] == quoted[-1] == "'":
-        parts["found"] = quoted[1:-1]
-    return parts
 
 
 def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
@@ -177,7 +158,7 @@ def tell(message: str, *, program: str = "jounce: ") -> None:
 
 
 class Elapsed:
-    """What is being done, for how long already, and where the words say ``3 of 10`` or ``30 %``, how long still.
+    """What is being done, for how long already, and where its share is known (`Stage`), how long still.
 
     Parameters
     ----------
@@ -194,28 +175,25 @@ class Elapsed:
     def say(self, text: str) -> None:
         """Take what is being done now."""
         self.said, self._heard = text, self.clock()
-        phase = _SHARE.sub("", text).partition(":")[0]
+        phase = getattr(text, "phase", text.partition(":")[0])
         if phase != self._phase:
             self._phase, self._since, self._from = phase, self._heard, self.share() or 0.0
 
     def share(self) -> float | None:
-        """Share done of what is being done, 0 to 1; None where its words do not say."""
-        found = _SHARE.search(self.said)
-        if found is None:
-            return None
-        if found["percent"] is not None:
-            return min(1.0, 0.01 * float(found["percent"]))
-        return min(1.0, (int(found["which"]) - 1) / max(1, int(found["of"])))  # the one that is named is not done yet
+        """Share done of what is being done, 0 to 1; None where that is not known."""
+        share: float | None = getattr(self.said, "share", None)
+        return share
 
     def text(self) -> str:
         """One line.
 
         Examples
         --------
+        >>> from jounce.core.waiting import counted
         >>> time = iter((0.0, 0.0, 8.0, 9.0))
         >>> line = Elapsed(lambda: next(time))
-        >>> line.say("testing 1 of 10")
-        >>> line.say("testing 5 of 10")
+        >>> line.say(counted("testing {which} of {count}", 1, 10))
+        >>> line.say(counted("testing {which} of {count}", 5, 10))
         >>> line.text()   # 2 s each, of which this one has had 1 s
         'testing 5 of 10 · 9 s, 40 %, about 11 s left'
         """
@@ -242,9 +220,6 @@ class Elapsed:
         from rich.text import Text
 
         return Text(self.text())
-
-
-_SHARE = re.compile(r"\b(?P<which>\d+) of (?P<of>\d+)\b|\b(?P<percent>\d+(?:\.\d+)?) %")
 
 
 def _duration(seconds: float) -> str:
@@ -277,7 +252,7 @@ def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
 def progress() -> Iterator[Callable[[str], None]]:
     """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal.
 
-    Time passed stands behind it; share and time left, too, where the text says ``3 of 10`` or ``30 %``. Whoever runs
+    Time passed stands behind it; share and time left, too, where the text knows them (`Stage`). Whoever runs
     the command for somebody else is told instead (`followed_by`).
     """
     follower = _FOLLOWER.get()

@@ -13,6 +13,9 @@ from pydantic import BaseModel, Discriminator, Tag, model_validator
 
 from jounce.control.design import CornerModel
 from jounce.core.description import Description
+from jounce.core.errors import shown
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
 from jounce.parts.dampers import BoucWenDamper, SampledPoint, TanhDamper
@@ -354,7 +357,8 @@ class MagnetorheologicalDamper(_Actuator):
             law = found.get(name)
             if isinstance(law, dict):
                 if law.get("kind") not in laws:
-                    raise ValueError(f"{name}: the law's kind is {law.get('kind')!r}; allowed: tanh, bouc-wen")
+                    what = Phrase("{name}: the law's kind is {kind}", name=name, kind=shown(law.get("kind")))
+                    raise misplaced((), what, allowed="tanh, bouc-wen")
                 found[name] = laws[law["kind"]].from_table(law, where=name)
         return found
 

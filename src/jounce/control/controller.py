@@ -16,10 +16,12 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.design import CornerModel
 from jounce.core.description import Description, Seed, check_schema, read_toml
-from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
+from jounce.core.errors import DescriptionError, JounceError, SimulationError, shown, unknown
 from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
+from jounce.core.misplaced import misplaced, misplaced_value
 from jounce.core.old_names import with_old_names
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
 from jounce.recordings.schema import channel_unit
@@ -56,7 +58,7 @@ def _noise(value: object) -> object:
     try:
         found = {str(name): to_si(number, channel_unit(str(name)), where=str(name)) for name, number in value.items()}
     except JounceError as error:
-        raise ValueError(str(error)) from None
+        raise misplaced_value((), error) from None
     for name, number in found.items():
         if number < 0.0:
             raise ValueError(f"{name}: a standard deviation of {number:g} is below 0")
@@ -175,10 +177,9 @@ class TwoStateLaw(Controller):
     @model_validator(mode="after")
     def _is_a_damper(self) -> Self:
         if isinstance(self.actuator, ActiveActuator):
-            raise ValueError(
-                f"the law {self.name!r} switches a damper; found an active actuator; "
-                "allowed: semi-active, magnetorheological"
-            )
+            what = Phrase("the law {name} switches a damper", name=shown(self.name))
+            found = Phrase("an active actuator")
+            raise misplaced((), what, found=found, allowed="semi-active, magnetorheological")
         return self
 
 

@@ -16,6 +16,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_args
 
+from jounce.core.phrases import Phrase, in_german
+
 Severity = Literal["note", "warning", "problem"]
 Language = Literal["en", "de"]
 FACTORS = {
@@ -103,6 +105,8 @@ class _Filled(string.Formatter):
             return sentence(value["code"], value["numbers"], self.language, decimal=self.decimal)
         if isinstance(value, (list, tuple)):
             return ", ".join(self.format_field(item, format_spec) for item in value)
+        if isinstance(value, Phrase):  # the text of an error
+            return str(in_german(value) if self.language == "de" else value)
         if isinstance(value, str):
             return format(", ".join(self.words.get(word, word) for word in value.split(", ")), digits)
         unit, is_written = unit.removeprefix("~"), not unit.startswith("~")

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import RecordingError, ResourceError, nearest
+from jounce.core.errors import RecordingError, ResourceError, at_line, below, nearest
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.text import unguarded
@@ -232,7 +232,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
         if units:
             rows, numbers = rows[1:], numbers[1:]
         if not rows:
-            raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
+            raise RecordingError("a header but no rows of numbers", where=at_line(file, start + 1))
         columns, understood = _columns(rows, numbers, header, units, file, separator)
         remarks += understood
         if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
@@ -356,7 +356,7 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
         cells = max(len(line.split()), *(line.count(mark) + 1 for mark in ",;\t"))
         if cells > _MOST_COLUMNS:
             hint = "Export fewer channels, or a binary format (.mf4, .tdms, .parquet, .mat)."
-            where, allowed = f"{file}, line {number}", f"up to {_MOST_COLUMNS}"
+            where, allowed = at_line(file, number), f"up to {_MOST_COLUMNS}"
             raise RecordingError("too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint)
 
 
@@ -541,7 +541,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _check_header(header: list[str], file: Path, line: int, separator: str, named: int) -> None:
-    where = f"{file}, line {line}"
+    where = at_line(file, line)
     if any(len(cell) > _LONGEST_CELL for cell in header):
         raise RecordingError("a cell of the header is too long", where=where, allowed=f"{_LONGEST_CELL} characters")
     if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
@@ -741,7 +741,7 @@ def _table(
     width = len(heads)
     for row, line in zip(rows, lines, strict=True):
         if len(row) != width and not (len(row) == width + 1 and row[-1] == ""):
-            raise _ragged(row, header, f"{file}, line {line}", separator)
+            raise _ragged(row, header, at_line(file, line), separator)
     return [[row[position] for row in rows] for position in range(width)]
 
 
@@ -792,7 +792,9 @@ def _numbers(
             part = filled, numbers
     wrong = next(i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell)))
     no_numbers = not any(_is_number(cell) for cell in texts)
-    return _bad_cell(cells[wrong], f"{file}, line {lines[wrong]}: {column}", no_numbers=no_numbers), part
+    fault = _bad_cell(cells[wrong], below(at_line(file, lines[wrong]), column), no_numbers=no_numbers)
+    fault.line = int(lines[wrong])
+    return fault, part
 
 
 def _ragged(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:

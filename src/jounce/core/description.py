@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
-from pydantic_core import CoreSchema, PydanticCustomError
+from pydantic_core import CoreSchema
 
 from jounce.core.arguments import fits
-from jounce.core.errors import DescriptionError, nearest, shown, unknown
+from jounce.core.errors import DescriptionError, as_found, at_line, below, nearest, shown, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
+from jounce.core.phrases import Phrase, Phrases
 from jounce.core.shown import Shown
 
 D = TypeVar("D", bound="Description")
@@ -153,7 +154,7 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
     try:
         return toml_table(text), text
     except tomllib.TOMLDecodeError as error:
-        raise DescriptionError(f"not valid TOML: {error}", where=str(file)) from None
+        raise toml_error(error, str(file)) from None
 
 
 def toml_table(text: str) -> dict[str, Any]:
@@ -174,6 +175,27 @@ def toml_table(text: str) -> dict[str, Any]:
     if is_nested_deeply(table):
         raise tomllib.TOMLDecodeError("nested too deeply")
     return table
+
+
+_PLACE_IN_TOML = re.compile(
+    r"(?P<what>.*?) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end of document)\)", re.DOTALL
+)
+"""What Python's parser says; until Python 3.14 it tells the place in its text only."""
+
+
+def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
+    """Give the error of a text that is no TOML, with its line."""
+    parts = _PLACE_IN_TOML.fullmatch(str(error))
+    if parts is None:
+        reason: str = Phrase(str(error))
+    elif parts["line"] is None:
+        reason = Phrase("{what} (at end of document)", what=Phrase(parts["what"]))
+    else:
+        at = {"line": int(parts["line"]), "column": int(parts["column"])}
+        reason = Phrase("{what} (at line {line}, column {column})", what=Phrase(parts["what"]), **at)
+    refusal = DescriptionError(Phrase("not valid TOML: {reason}", reason=reason), where=where)
+    refusal.line = int(parts["line"]) if parts and parts["line"] else None
+    return refusal
 
 
 _DEEPEST = 30  # tables within each other: deeper than any description
@@ -307,12 +329,6 @@ def dotted(path: tuple[str | int, ...]) -> str:
     return text
 
 
-def misplaced(path: tuple[str | int, ...], message: str) -> PydanticCustomError:
-    """Build the error of a validator about the value at ``path`` below the description that is validated."""
-    text = message.replace("{", "(").replace("}", ")")
-    return PydanticCustomError("misplaced", text, {"path": list(path)})
-
-
 def description_error(
     error: ValidationError,
     kind: type[BaseModel],
@@ -329,10 +345,13 @@ def description_error(
     items = [item for item in items if not (item["type"] == "too_short" and _is_within(item, items))]
     problems = [_problem(item, kind, where, text, path) for item in items[:5]]
     if len(problems) == 1:
-        place, what = problems[0]
-        return DescriptionError(what, where=place)
-    more = f"\n(and {len(items) - 5 + len(every[_MOST_PROBLEMS:])} more)" if len(items) > 5 else ""
-    return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems) + more)
+        return problems[0]
+    lines: list[str] = [problem.message() for problem in problems]
+    if len(items) > 5:
+        lines.append(Phrase("(and {count} more)", count=len(items) - 5 + len(every[_MOST_PROBLEMS:])))
+    several = DescriptionError(Phrases("\n", lines))
+    several.problems = problems
+    return several
 
 
 _MOST_PROBLEMS = 200
@@ -351,36 +370,53 @@ def _is_within(whole: Any, items: list[Any]) -> bool:
     return any(item["loc"][:depth] == whole["loc"] and len(item["loc"]) > depth for item in items)
 
 
-def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> tuple[str, str]:
-    """Place and text of a problem."""
+def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> DescriptionError:
+    """One problem, at its place."""
     within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     if item["type"] == "misplaced":
         path = (*path, *item["ctx"]["path"])
-    place = dotted(path)
     line = line_of(text, path) if text else None
-    prefix = f"{where}, line {line}" if where and line else where
-    start = f"{prefix}: {place}" if prefix and place else (prefix or place or kind.__name__)
-    if item["type"] == "extra_forbidden":
-        fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
-        return start, f"unknown key; allowed: {', '.join(sorted(fields))}. {nearest(str(path[-1]), fields)}".rstrip()
-    if item["type"] == "missing":
-        return start, "the key is missing and has no default"
-    if item["type"] == "union_tag_invalid":
-        tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
-        named = item["ctx"]["discriminator"].strip("'")
-        key, tag = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
-        return start, f"unknown {key} {shown(tag)}; allowed: {', '.join(tags)}. {nearest(tag, tags)}".rstrip()
-    if item["type"] == "union_tag_not_found":
-        return start, f"the key {item['ctx']['discriminator']} is missing; it says what this is"
-    if item["type"] in ("physical_value", "out_of_range", "misplaced"):
-        return start, f"{item['msg']}".rstrip()
-    message = item["msg"].removeprefix("Value error, ")
-    value = "" if item["type"] == "value_error" else f"; found {shown(item['input'])}"
+    place = below(at_line(where, line) if where else "", dotted(path))
+    problem = DescriptionError(**_parts(item, path, models), where=place or kind.__name__)
+    problem.path, problem.line = path, line
+    return problem
+
+
+def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]) -> dict[str, Any]:
+    """What is wrong, what was found, what is allowed and what to do, of a problem that pydantic reports."""
+    told = item.get("ctx", {})
+    match item["type"]:
+        case "extra_forbidden":
+            fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
+            hint = nearest(str(path[-1]), fields)
+            return {"what": "unknown key", "allowed": ", ".join(sorted(fields)), "hint": hint}
+        case "missing":
+            return {"what": "the key is missing and has no default"}
+        case "union_tag_invalid":
+            tags = [tag.strip(" '") for tag in told["expected_tags"].split(",")]
+            named = told["discriminator"].strip("'")
+            key = "kind" if named.endswith("()") else named
+            what = Phrase("unknown {kind} {name}", kind=key, name=shown(told["tag"]))
+            return {"what": what, "allowed": ", ".join(tags), "hint": nearest(told["tag"], tags)}
+        case "union_tag_not_found":
+            return {"what": Phrase("the key {key} is missing; it says what this is", key=told["discriminator"])}
+        case "misplaced":
+            return dict(told["parts"])
+        case "value_error" if isinstance(told["error"].args[0], Phrase):
+            return {"what": told["error"].args[0]}
+        case "value_error":
+            return {"what": _of_pydantic(item)}
+    parts: dict[str, Any] = {"what": _of_pydantic(item), "found": as_found(item["input"])}
     if item["type"] == "literal_error" and isinstance(item["input"], str):
-        hint = nearest(item["input"], re.findall(r"'([^']*)'", item["ctx"]["expected"]))
-        value += f". {hint}" if hint else ""
-    return start, f"{message[0].lower()}{message[1:]}{value}"
+        parts["hint"] = nearest(item["input"], re.findall(r"'([^']*)'", told["expected"]))
+    return parts
+
+
+def _of_pydantic(item: Any) -> str:
+    """What pydantic says in words of its own, which are not translated but for the commonest."""
+    message = item["msg"].removeprefix("Value error, ")
+    return f"{message[0].lower()}{message[1:]}"
 
 
 def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:

@@ -7,9 +7,10 @@ import difflib
 import errno
 import math
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from jounce.core.phrases import Phrase, Phrases, german_of, in_german
 from jounce.core.text import shortened
 
 _LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
@@ -31,7 +32,18 @@ class JounceError(Exception):
         What would have been accepted.
     hint : str
         The next step for the reader.
+
+    Notes
+    -----
+    Parts that are a `Phrase` keep the fields of their templates: ``str(error)`` knows its German (`german_of`).
     """
+
+    path: tuple[str | int, ...] = ()
+    """Keys of the value that it is about, in a description."""
+    line: int | None = None
+    """Line of a file on which that value is written."""
+    problems: Sequence[JounceError] = ()
+    """Errors that this one lists, where it is about several."""
 
     def __init__(self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = "") -> None:
         self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
@@ -43,14 +55,66 @@ class JounceError(Exception):
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
     def _text(self) -> str:
-        what = shortened(self.what, _LONGEST)
-        text = f"{shortened(self.where, _LONGEST_PLACE)}: {what}" if self.where else what
-        if self.found is not None:
-            text += f"; found {shown(self.found)}"
-        if self.allowed:
-            text += f"; allowed: {shortened(self.allowed, _LONGEST)}"
-        text = text if text.endswith((".", "?")) else f"{text}."
-        return f"{text} {self.hint}" if self.hint else text
+        return self.message()
+
+    def message(self, *, placed: bool = True) -> Message:
+        """Give its parts as one sentence, with its place if ``placed``."""
+        found = None if self.found is None else shown(self.found)
+        where = self.where if placed else ""
+        return Message(self.what, where=where, found=found, allowed=self.allowed, hint=self.hint)
+
+
+class Message(Phrase):
+    """Text of an error: its parts in one sentence, in English and German."""
+
+    __slots__ = ("_parts",)
+    _parts: tuple[str, str, str | None, str, str]
+    _ENGLISH = ("; found ", "; allowed: ")
+    _GERMAN = ("; gefunden ", "; zulässig: ")
+
+    def __new__(
+        cls,
+        what: str,
+        /,
+        *,
+        where: str = "",
+        found: str | None = None,
+        allowed: str = "",
+        hint: str = "",
+    ) -> Message:
+        """Join the parts; ``found`` is the text of the value."""
+        text = shortened(what, _LONGEST)
+        parts = (shortened(where, _LONGEST_PLACE), text, found, shortened(allowed, _LONGEST), hint)
+        message = str.__new__(cls, cls._joined(cls._ENGLISH, *parts))
+        message._parts = parts
+        return message
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _message, self._parts
+
+    def german(self) -> str | None:
+        """The same in German; None where what is wrong has none."""
+        where, what, found, allowed, hint = self._parts
+        wrong = german_of(what)
+        if wrong is None:
+            return None
+        rest = german_of(allowed) or allowed, german_of(hint) or hint
+        return self._joined(self._GERMAN, in_german(where), wrong, in_german(found), *rest)
+
+    @staticmethod
+    def _joined(words: tuple[str, str], where: str, what: str, found: str | None, allowed: str, hint: str) -> str:
+        text = f"{where}: {what}" if where else what
+        if found is not None:
+            text += f"{words[0]}{found}"
+        if allowed:
+            text += f"{words[1]}{allowed}"
+        if hint:
+            return f"{text if text.endswith(('.', '?')) else f'{text}.'} {hint}"
+        return text if text.endswith((".", "?")) else f"{text}."
+
+
+def _message(where: str, what: str, found: str | None, allowed: str, hint: str) -> Message:
+    return Message(what, where=where, found=found, allowed=allowed, hint=hint)
 
 
 class DescriptionError(JounceError):
@@ -192,11 +256,22 @@ def shown(value: object) -> str:
     >>> shown("5 mm"), shown([0.1, 0.2])
     ("'5 mm'", '[0.1, 0.2]')
     """
+    if isinstance(value, Phrase):  # words of jounce, not a text of the user's
+        return value
     try:
         text = repr(value) if isinstance(value, str) else str(value)
     except ValueError:  # Python does not write integers of more than some thousand digits
         text = "an integer of thousands of digits"
     return shortened(text, _LONGEST_VALUE)
+
+
+def as_found(value: object) -> str:
+    """A value of a file as errors keep it: its text, which is quoted in messages if it was one.
+
+    >>> as_found("5 mm"), shown(as_found("5 mm")), shown(as_found(5))
+    ('5 mm', "'5 mm'", '5')
+    """
+    return shortened(value, _LONGEST_VALUE) if isinstance(value, str) else Phrase("{value}", value=shown(value))
 
 
 def named(value: object) -> str:
@@ -214,7 +289,7 @@ def named(value: object) -> str:
 def nearest(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``did you mean 'x'?``, or an empty text without a similar option."""
     match = nearest_name(name, options)
-    return f"Did you mean {match!r}?" if match else ""
+    return Phrase("Did you mean {name}?", name=shown(match)) if match else ""
 
 
 def nearest_name(name: str, options: Iterable[str]) -> str:
@@ -226,6 +301,23 @@ def nearest_name(name: str, options: Iterable[str]) -> str:
 def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") -> DescriptionError:
     """Build the error for a name that is not among ``options``."""
     choices = sorted(options)
-    return DescriptionError(
-        f"unknown {what} {shown(name)}", where=where, allowed=", ".join(choices), hint=nearest(name, choices)
-    )
+    phrase = Phrase("unknown {kind} {name}", kind=Phrase(what), name=shown(name))
+    return DescriptionError(phrase, where=where, allowed=", ".join(choices), hint=nearest(name, choices))
+
+
+def at_line(file: object, line: int | None) -> str:
+    """Name a place of a file: the file, and the line where it is known.
+
+    >>> at_line("rig.toml", 3), at_line("rig.toml", None)
+    ('rig.toml, line 3', 'rig.toml')
+    """
+    return Phrase("{file}, line {line}", file=str(file), line=line) if line else str(file)
+
+
+def below(where: str, place: str) -> str:
+    """Name a place within another one; either may be empty.
+
+    >>> below("rig.toml", "tyre.rate")
+    'rig.toml: tyre.rate'
+    """
+    return Phrases(": ", [where, place]) if where and place else where or place

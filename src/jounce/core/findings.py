@@ -9,6 +9,7 @@ from typing import Any, SupportsFloat, get_args
 
 from jounce.core.catalogue import Language, Severity, row_of, sentence
 from jounce.core.errors import JounceError, OutputError
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.text import shortened
 
@@ -97,7 +98,7 @@ def finding_of(plain: Mapping[str, Any]) -> Finding:
 
 
 def with_german(plain: Any) -> Any:
-    """Give plain data again in which every finding with a code has its German sentence, as ``german``.
+    """Give plain data again in which findings with a code, and errors, have their German sentence, as ``german``.
 
     Examples
     --------
@@ -107,13 +108,37 @@ def with_german(plain: Any) -> Any:
     """
     if isinstance(plain, Mapping):
         table = {name: with_german(item) for name, item in plain.items()}
-        code, numbers = table.get("code"), table.get("numbers")
-        if "message" in table and isinstance(code, str) and isinstance(numbers, dict) and row_of(code):
-            table["german"] = sentence(code, numbers, "de")
+        message, code, numbers = table.get("message"), table.get("code"), table.get("numbers")
+        if isinstance(message, Phrase):
+            table["german"] = message.german()
+        elif "message" in table and "german" not in table and isinstance(code, str) and isinstance(numbers, dict):
+            table |= {"german": sentence(code, plain["numbers"], "de")} if row_of(code) else {}
         return table
     if isinstance(plain, (list, tuple)) and plain and isinstance(plain[0], (Mapping, list, tuple)):
         return [with_german(item) for item in plain]
     return plain
+
+
+def translations(plain: Any) -> dict[str, str]:
+    """German of the phrases that stand in plain data by themselves, by their English.
+
+    >>> translations({"failed": {"a": Phrase("out of range"), "b": "b"}})
+    {'out of range': 'außerhalb des Bereichs'}
+    """
+    items = plain.values() if isinstance(plain, Mapping) else plain if isinstance(plain, (list, tuple)) else ()
+    found: dict[str, str] = {}
+    for item in items:
+        if isinstance(item, Phrase) and (german := item.german()):
+            found[item] = german
+        elif isinstance(item, (Mapping, list, tuple)):
+            found |= translations(item)
+    return found
+
+
+def for_page(plain: Mapping[str, Any]) -> Any:
+    """Give an answer as a page needs it: with German beside findings and errors, and by text in ``translations``."""
+    texts = translations({name: item for name, item in plain.items() if name != "error"})
+    return with_german(plain) | ({"translations": texts} if texts else {})
 
 
 TEXTS, DATA = "findings", "finding_data"

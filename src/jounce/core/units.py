@@ -10,9 +10,11 @@ from numbers import Real
 from typing import Annotated, Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic_core import CoreSchema, core_schema
 
-from jounce.core.errors import DescriptionError, shown
+from jounce.core.errors import DescriptionError, as_found
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase, Phrases
 from jounce.core.remembered import Recent
 
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*)?", re.DOTALL)
@@ -201,7 +203,7 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
             "wrong unit",
             where=where,
             found=unit[:_LONGEST_UNIT],
-            allowed=f"a unit that converts to {si}",
+            allowed=Phrase("a unit that converts to {si}", si=si),
             hint=_VOLTAGE_HINT if _VOLTAGE.fullmatch(unit.strip()) else _UNIT_HINT,
         ) from error
 
@@ -275,7 +277,11 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
                 where=where,
                 found=value,
                 allowed=f"'<number> {si}'".replace(" 1'", "'"),
-                hint="" if comma is None else f"Decimals have a point, thousands no sign: '{comma[1]}.{comma[2]}'.",
+                hint=""
+                if comma is None
+                else Phrase(
+                    "Decimals have a point, thousands no sign: '{whole}.{decimals}'.", whole=comma[1], decimals=comma[2]
+                ),
             )
         number = float(match[1])
         if match[2] is None and si not in _DIMENSIONLESS:
@@ -283,7 +289,11 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
                 "the unit is missing",
                 where=where,
                 found=value,
-                allowed=f"'{match[1]} {si}' (or a unit that converts to it), or the bare number {match[1]} in SI",
+                allowed=Phrase(
+                    "'{number} {si}' (or a unit that converts to it), or the bare number {number} in SI",
+                    number=match[1],
+                    si=si,
+                ),
             )
         if match[2]:
             number *= conversion_factor(match[2], si, where=where)
@@ -291,7 +301,8 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
         raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
     is_written = isinstance(value, str)  # what rounding leaves of a zero is no mistake
     if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
-        allowed = f"0, and sizes from {_SMALLEST:g} to {LARGEST:g} {si}".removesuffix(" 1")
+        sizes = Phrase("0, and sizes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST)
+        allowed = sizes if si == "1" else Phrases(" ", [sizes, si])
         raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
     return number
 
@@ -334,12 +345,12 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
     high = min(high, math.inf if most is None else most)
     if number == 0.0 or low <= abs(number) < high or not math.isfinite(number):
         return to_si(number, si, where=where)
-    other = f"'{number:g} {usual}', or " if usual != si else ""
+    other = Phrase("'{number:g} {unit}', or ", number=number, unit=usual) if usual != si else ""
     raise DescriptionError(
-        f"{number:g} {si} cannot be meant, and a bare number is in {si}",
+        Phrase("{number:g} {si} cannot be meant, and a bare number is in {si}", number=number, si=si),
         where=where,
         found=f"{number:g}",
-        hint=f"Write the unit: {other}'{number:g} {si}' where it is.",
+        hint=Phrase("Write the unit: {other}'{number:g} {si}' where it is.", other=other, number=number, si=si),
     )
 
 
@@ -347,8 +358,8 @@ def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> fl
     """Read one physical value as :func:`to_si` does, and refuse those below 0 and (but with ``zero``) 0 itself."""
     number = to_si(value, si, where=where)
     if number < 0.0 or (number == 0.0 and not zero):
-        allowed = f"{'at least' if zero else 'above'} 0 {si if si != '1' else ''}".rstrip()
-        raise DescriptionError("out of range", where=where, found=value, allowed=allowed)
+        limits = Unit(si, at_least=0.0) if zero else Unit(si, above=0.0)
+        raise DescriptionError("out of range", where=where, found=value, allowed=limits.allowed)
     return number
 
 
@@ -378,17 +389,9 @@ class Unit:
         try:
             number = to_si(value, self.si)
         except DescriptionError as error:
-            raise PydanticCustomError(
-                "physical_value",
-                "{what}; found {found}; allowed: {allowed}. {hint}",
-                {"what": error.what, "found": shown(value), "allowed": error.allowed, "hint": error.hint},
-            ) from None
+            raise misplaced((), error.what, found=as_found(value), allowed=error.allowed, hint=error.hint) from None
         if not self._is_allowed(number):
-            raise PydanticCustomError(
-                "out_of_range",
-                "out of range; found {found}; allowed: {allowed}",
-                {"found": shown(value), "allowed": self.allowed},
-            )
+            raise misplaced((), "out of range", found=as_found(value), allowed=self.allowed)
         return number
 
     @property
@@ -400,8 +403,13 @@ class Unit:
     @property
     def allowed(self) -> str:
         """The limits in words, with their unit; empty without limits."""
-        text = self._range()
-        return text if not text or self.si == "1" else f"{text} {self.si}"
+        bounds = [
+            ("above {bound:g}", self.above),
+            ("at least {bound:g}", self.at_least),
+            ("at most {bound:g}", self.at_most),
+        ]
+        limits = Phrases(", ", [Phrase(limit, bound=bound) for limit, bound in bounds if bound is not None])
+        return limits if not limits or self.si == "1" else Phrases(" ", [limits, self.si])
 
     def _is_allowed(self, number: float) -> bool:
         return (
@@ -409,10 +417,6 @@ class Unit:
             and (self.at_least is None or number >= self.at_least)
             and (self.at_most is None or number <= self.at_most)
         )
-
-    def _range(self) -> str:
-        bounds = [("above", self.above), ("at least", self.at_least), ("at most", self.at_most)]
-        return ", ".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self._read)

@@ -15,6 +15,43 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
+from jounce.core.phrases import Phrase
+
+
+class Stage(Phrase):
+    """What is being done, and how much of it is done.
+
+    The template is one of `Phrase`; what stands before its first colon is the phase. Of that, ``share`` is
+    done, 0 to 1.
+
+    Examples
+    --------
+    >>> progress = Stage("testing: {percent:.0f} %", share=0.3, percent=30.0)
+    >>> print(progress, progress.share, progress.phase)
+    testing: 30 % 0.3 testing
+    """
+
+    __slots__ = ("phase", "share")
+    phase: str
+    share: float
+
+    def __new__(cls, template: str, /, *, share: float, **fields: Any) -> Stage:
+        """Fill the template."""
+        progress = super().__new__(cls, template, **fields)
+        assert isinstance(progress, Stage)
+        progress.phase, progress.share = template.partition(":")[0], min(1.0, share)
+        return progress
+
+
+def counted(template: str, which: int, count: int, /, **fields: Any) -> Stage:
+    """Stage of a number of things: ``{which}`` of ``{count}``, the one that is named not done yet.
+
+    >>> print(progress := counted("fitting {which} of {count}: {name}", 4, 10, name="a.csv"), progress.share)
+    fitting 4 of 10: a.csv 0.3
+    """
+    return Stage(template, share=(which - 1) / max(1, count), which=which, count=count, **fields)
+
+
 LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s: a log shall stay short, a display alive
 LOGGED_LATEST = 30.0
 """Longest interval (s) between log lines: it grows with the duration of the work."""

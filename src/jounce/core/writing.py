@@ -22,6 +22,9 @@ from jounce.core.errors import WHERE_WRITTEN, DiskError, OutputError, is_of_syst
 from jounce.core.locking import holding
 from jounce.core.optional import require
 
+ALLOW_OVERWRITING = "Choose another name or allow it with --force."
+"""Advice where something would be overwritten."""
+
 
 def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
     """Return the path of an output; refuse another suffix, an existing file (without ``force``), a missing folder."""
@@ -35,7 +38,7 @@ def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[
     if file.is_dir():
         raise OutputError("a folder stands where the file should be", where=str(file), hint="Choose another name.")
     if file.exists() and not force:
-        raise OutputError("the output exists", where=str(file), hint="Choose another name or allow it with --force.")
+        raise OutputError("the output exists", where=str(file), hint=ALLOW_OVERWRITING)
     if not file.parent.is_dir():
         raise OutputError("the folder of the output does not exist", where=str(file.parent), hint="Create it first.")
     return file
@@ -251,8 +254,7 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
         if folder.exists() and not folder.is_dir():
             raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
         if folder.is_dir() and not force and not is_empty(folder):
-            hint = "Choose another name or allow it with --force."
-            raise OutputError("the output folder is not empty", where=str(folder), hint=hint)
+            raise OutputError("the output folder is not empty", where=str(folder), hint=ALLOW_OVERWRITING)
         there = next(parent for parent in folder.parents if parent.exists())
         if not there.is_dir():
             raise OutputError("a folder cannot be made below a file", where=str(folder), found=str(there))

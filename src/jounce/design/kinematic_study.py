@@ -8,7 +8,10 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Seed, Whole, misplaced
+from jounce.core.description import Description, Seed, Whole
+from jounce.core.errors import as_found
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.units import NonNegativeLength, Unit
 from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
@@ -57,11 +60,11 @@ class FreePoint(Description):
             raise ValueError(f'give either within = "15 mm" or box = [[lower corner], [upper corner]] of {self.point}')
         if self.along is not None:
             if self.box is not None:
-                raise misplaced(("box",), "a line has no box; allowed: within, to either side along it")
+                raise misplaced(("box",), "a line has no box", allowed="within, to either side along it")
             if not any(self.along) and not isinstance(self.along, str):
-                raise misplaced(("along",), "not a direction; found [0, 0, 0]")
+                raise misplaced(("along",), "not a direction", found=as_found([0, 0, 0]))
             if self.point.endswith("]"):
-                raise misplaced(("along",), "one coordinate moves along its axis; allowed: a point of three")
+                raise misplaced(("along",), "one coordinate moves along its axis", allowed="a point of three")
         return self
 
 
@@ -99,12 +102,10 @@ class KinematicTarget(Description):
         wanted = [name for name in ("value", "values") if getattr(self, name) is not None]
         limits = self.at_least is not None or self.at_most is not None
         if len(wanted) + limits != 1:
-            raise ValueError(
-                f"give one of value, values, or limits (at_least, at_most) for {self.quantity}; found "
-                f"{', '.join([*wanted, *(['limits'] if limits else [])]) or 'none'}"
-            )
+            what = Phrase("give one of value, values, or limits (at_least, at_most) for {name}", name=self.quantity)
+            raise misplaced((), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none"))
         if self.at is not None and self.over is not None:
-            raise misplaced(("over",), "a target stands at one pose or over a range; found both at and over")
+            raise misplaced(("over",), "a target stands at one pose or over a range", found=Phrase("both at and over"))
         if self.values is not None and self.over is None:
             raise misplaced(("values",), "values are those of a curve; allowed with over")
         if self.slope and (self.over is None or self.values is not None):
@@ -160,11 +161,11 @@ class KinematicStudy(Description):
             raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
         for name in self.rigs or ():
             if not re.fullmatch(NAME, name):
-                raise misplaced(("rigs",), f"not a name of a rig; found {name!r}; allowed: letters, digits, _ and -")
+                raise misplaced(("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -")
         if self.rigs is None and self.vehicles is not None:
-            raise misplaced(("vehicles",), "only several rigs have several; allowed: a table [vehicle]")
+            raise misplaced(("vehicles",), "only several rigs have several", allowed="a table [vehicle]")
         if self.rigs is not None and self.vehicle is not None:
-            raise misplaced(("vehicle",), "whose is it?; allowed: tables [vehicles.<name of a rig>]")
+            raise misplaced(("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]")
         return self
 
     def named(self) -> dict[str, str]:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from jounce.core.description import line_of, read_description
 from jounce.core.display import display_unit
-from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.errors import DescriptionError, JounceError, at_line, below
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.text import qualify
@@ -477,7 +477,7 @@ def _place_error(error: DescriptionError, path: Path | str, text: str) -> Descri
     if head[0] not in ("free", "target", "spread", "vehicles"):
         return error
     line = line_of(text, tuple(int(part) if part.isdigit() else part for part in head))
-    where = f"{path}{f', line {line}' if line else ''}: {error.where}"
+    where = below(at_line(path, line), error.where)
     return DescriptionError(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)
 
 

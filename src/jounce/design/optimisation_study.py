@@ -7,8 +7,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
-from jounce.core.errors import JounceError
+from jounce.core.description import Description, Seed, Whole, line_of, read_description
+from jounce.core.errors import JounceError, at_line, below
+from jounce.core.misplaced import misplaced
 from jounce.core.units import Unit
 from jounce.design.cases import Case, cases_problem
 from jounce.design.goal_front import DesignFront, design_front
@@ -152,5 +153,5 @@ class _placed:  # noqa: N801 - used as a verb
             key = "front"
         line = line_of(text, (key, *inside, rest))
         place = ".".join([key, *inside]) + (f": {rest}" if rest else "")
-        where = f"{self.path}{f', line {line}' if line else ''}: {place}"
+        where = below(at_line(self.path, line), place)
         raise type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None

@@ -193,8 +193,8 @@ class _ChronoWriter:
             what, where="rig", allowed="arms with the strut on the lower one, or equations and MJCF", **more
         )
 
-    def _say(self, place: str, message: str, value: float | None = None) -> None:
-        self.findings.append(Finding(place, "note", message, value))
+    def _say(self, code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
+        self.findings.append(finding(code, place, value, **numbers))
 
     def _place_points(self, parts: dict[str, dict[str, Any]]) -> None:
         """Every point under its section and key."""
@@ -218,8 +218,7 @@ class _ChronoWriter:
         if self.template in _EXACT_PRODUCTS and section != "Spindle":
             return whole | {"Moments of Inertia": np.diag(tensor), "Products of Inertia": products}
         if largest > _LOST:
-            text = f"Chrono reads no products of inertia of the {section}; the largest is {largest:.2g} of a moment."
-            self._say(f"bodies.{name}", text, largest)
+            self._say("exchange.products_lost", f"bodies.{name}", largest, section=section, largest=largest)
         return whole | {"Inertia": np.diag(tensor), "Products of Inertia": products}
 
     def _body(self, name: str) -> RigidBody | None:
@@ -247,9 +246,7 @@ class _ChronoWriter:
                 )  # fmt: skip
             spindle = _ball(mass, at, _SPINDLE_SIZE)
             upright = _less(upright, spindle)
-            self._say(
-                "bodies.wheel", f"the rig has no wheel of its own: {mass:.3g} kg of the upright become the spindle."
-            )
+            self._say("exchange.spindle_of_upright", "bodies.wheel", mass=mass)
         else:
             spindle = wheel
             if self.wheel_mass:
@@ -257,16 +254,9 @@ class _ChronoWriter:
                 rolling = _body(self.wheel_mass, at, self.wheel_mass * radius**2 * np.diag([0.35, 0.6, 0.35]))
                 spindle = _less(wheel, rolling)
             else:
-                self._say(
-                    "bodies.wheel",
-                    f"the spindle is the whole wheel, {wheel.mass:.4g} kg: give Chrono's wheel and tyre no mass, or "
-                    "say here what they have.",
-                    wheel.mass,
-                )
+                self._say("exchange.spindle_is_wheel", "bodies.wheel", wheel.mass, mass=wheel.mass)
         if np.linalg.norm(np.array(spindle.centre_of_mass) - at) > 1e-6:
-            self._say(
-                "bodies.wheel", "Chrono's spindle has its centre of mass at the wheel centre: the rig's is elsewhere."
-            )
+            self._say("exchange.spindle_centre", "bodies.wheel")
         return {
             "Spindle": {**self._part("wheel", "Spindle", spindle, DESIGN), "Width": 0.05},
             "Upright": self._part("upright", "Upright", upright, DESIGN),
@@ -281,9 +271,7 @@ class _ChronoWriter:
         frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), name)
         part = self._part(name, "Tierod", body, frame)
         if np.linalg.norm(part.pop("COM") - 0.5 * (inner + outer)) > 1e-6:
-            self._say(
-                f"bodies.{name}", "Chrono's tie rod has its centre of mass in its middle: the rig's is elsewhere."
-            )
+            self._say("exchange.tie_rod_centre", f"bodies.{name}")
         if "Moments of Inertia" in part:
             part["Inertia"] = part.pop("Moments of Inertia")
         return part
@@ -302,12 +290,12 @@ class _ChronoWriter:
         parts = {**self._carrier(), "Control Arm": self._arm("lower_arm", "Control Arm")}
         strut = self._body("strut")
         if strut is None:
-            self._say("bodies.strut", "the rig's strut has no mass of its own, which Chrono wants: 0.1 kg are written.")
+            self._say("exchange.strut_mass", "bodies.strut")
             strut = _ball(0.1, np.array(self.rig.hardpoints.strut_top), _ARM_SIZE)
         parts["Strut"] = self._part("strut", "Strut", strut, DESIGN)
         middle = 0.5 * (self.points["spring_top"] + self.points["spring_bottom"])
         if np.linalg.norm(parts["Strut"].pop("COM") - middle) > 1e-6:
-            self._say("bodies.strut", "Chrono's strut has its centre of mass in its middle: the rig's is elsewhere.")
+            self._say("exchange.strut_centre", "bodies.strut")
         return {**parts, "Tierod": self._rod("tie_rod"), "Spring": {}, "Shock": {}}
 
     def _multi_link(self) -> dict[str, dict[str, Any]]:
@@ -325,9 +313,7 @@ class _ChronoWriter:
         carrier = bodies["upright"]
         outer = np.array(self.rig.hardpoints.link_1_outer)  # type: ignore[attr-defined]
         arm = _ball(_ARM_SHARE * carrier.mass, outer, _ARM_SIZE)
-        self._say(
-            "Upper Arm", f"it has {arm.mass:.3g} kg of the upright at its outer end: the rig's links 1 and 2 have none."
-        )
+        self._say("exchange.upper_arm_mass", "Upper Arm", mass=arm.mass)
         inners = points["link_1_inner"], points["link_2_inner"]
         kept = self.rig
         self.rig = kept.model_copy(
@@ -364,7 +350,7 @@ class _ChronoWriter:
             assert curve is not None
             compressed = np.array(curve.deflection) if isinstance(curve, TableCurve) else _CURVE
             if not isinstance(curve, TableCurve):
-                self._say("strut.spring", "its curve is written as a table of every 5 mm.")
+                self._say("exchange.curve_as_table", "strut.spring")
             force = np.array([force_at(curve, x) for x in compressed]) + (spring.preload or 0.0)
             free = design if spring.free_length is None else spring.free_length
             result = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
@@ -376,9 +362,9 @@ class _ChronoWriter:
             if stop is None:
                 continue
             if not all(gaps.values()):
-                self._say(f"strut.{name}", "it is left out: Chrono has both stops or none.")
+                self._say("exchange.stop_left_out", f"strut.{name}")
             elif not np.allclose((stop.rate, stop.progression), (STOP_RATE, STOP_PROGRESSION)):
-                self._say(f"strut.{name}", "Chrono's stop has a law of its own: 100 N/mm and rising.")
+                self._say("exchange.stop_law", f"strut.{name}")
         return result
 
     def _damper(self) -> dict[str, Any]:
@@ -407,7 +393,7 @@ class _ChronoWriter:
         ]
         if left:
             self.findings.append(finding("exchange.not_in_file", "rig", names=", ".join(left)))
-        self._say("rig", "tyre and sprung mass are in other files of Chrono.")
+        self._say("exchange.tyre_elsewhere", "rig")
 
 
 def _ball(mass: float, centre: Array, radius: float) -> RigidBody:

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from jounce.core.errors import OutputError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, write_atomically
@@ -175,8 +175,8 @@ class _MjcfWriter:
         self._note_rest()
         return root
 
-    def _say(self, place: str, message: str, severity: str = "note") -> None:
-        self.findings.append(Finding(place, severity, message))  # type: ignore[arg-type]
+    def _say(self, code: str, place: str, **numbers: Any) -> None:
+        self.findings.append(finding(code, place, **numbers))
 
     def _axle(self) -> tuple[float, float, float]:
         """Direction of the wheel's axis, outboard."""
@@ -187,7 +187,7 @@ class _MjcfWriter:
         table = self.rig.bushings
         soft = [name for name in type(table).model_fields if getattr(table, name) is not None]
         if soft:
-            self._say("bushings", f"written as ideal joints: {', '.join(soft)}.", "warning")
+            self._say("exchange.ideal_joints", "bushings", names=", ".join(soft))
             self.rig = self.rig.model_copy(update={"bushings": type(table)()})
 
     # --- bodies and joints
@@ -251,7 +251,7 @@ class _MjcfWriter:
                 ET.SubElement(slider, "inertial", pos=_text(loop["point"]), mass="0.01", diaginertia="1e-5 1e-5 1e-5")
                 ends["body1"] = name
                 _add(self._equality, "connect", ends, soft, name=name, anchor=_text(loop["point"]))
-                self._say(name, "the strut slides in the upright as a body of 10 g.")
+                self._say("exchange.sliding_body", name)
             else:
                 raise OutputError("no constraint of MuJoCo", where=name, found=kind)
 
@@ -295,7 +295,7 @@ class _MjcfWriter:
             free = (edge, _FAR) if side < 0.0 else (0.0, edge)
             self._line(name, "spring", stiffness=_text(stop.rate), springlength=_text(free))
             if stop.progression:
-                self._say(f"strut.{name}", "its progression is left out: MuJoCo's is a straight line.")
+                self._say("exchange.no_progression", f"strut.{name}")
 
     def _spring_at_design(self) -> tuple[float, float]:
         """Rate and force of the spring at design, N/m and N."""
@@ -315,7 +315,7 @@ class _MjcfWriter:
             raise OutputError(
                 "a curve without a rate at design", where=where, found=f"{rate + 0.0:g} N/m", allowed="above 0"
             )
-        self._say(where, "its curve is a straight line about design.", "warning")
+        self._say("exchange.straight_line", where)
         return rate, force
 
     def _coefficient(self) -> float:
@@ -329,9 +329,7 @@ class _MjcfWriter:
                 allowed="linear, bilinear, blow-off, table, map",
             )  # fmt: skip
         mean = damper.at_length(self.rig.hardpoints.length("damper")).mean_coefficient(_SLOW)
-        self._say(
-            "strut.damper", f"{mean:.5g} N s/m in both directions: MuJoCo's damper is a straight line.", "warning"
-        )
+        self._say("exchange.mean_damper", "strut.damper", coefficient=mean)
         return mean
 
     def _tyre(self) -> None:
@@ -345,10 +343,9 @@ class _MjcfWriter:
             stiffness, force = self._straightened(tyre.curve, radius - height, "tyre")
             radius = height + force / stiffness
         if getattr(tyre, "law", "vertical") == "radial":
-            self._say("tyre.law", "its force acts on the wheel's centre, by the height of that alone.")
+            self._say("exchange.tyre_by_height", "tyre.law")
         if tyre.damping_coefficient:
-            self._say("tyre.damping_coefficient", "a body that is moved has no velocity: set the rate of the road, too "
-                      "(m/s, the control of the actuator tyre).")  # fmt: skip
+            self._say("exchange.road_rate", "tyre.damping_coefficient")
         limits = {"forcerange": f"0 {_text(1e9)}"} if tyre.lift_off else {}
         _add(
             self._actuator, "general", limits, name="tyre", site="wheel_centre", refsite="road", gear="0 0 1 0 0 0",
@@ -367,4 +364,4 @@ class _MjcfWriter:
         """Findings on parts of the rig that the file omits."""
         left = [name for name in ("anti_roll_bar", "torsion_bar", "third_spring") if getattr(self.rig, name, None)]
         if left:
-            self._say("rig", f"not in the file: {', '.join(left)}.", "warning")
+            self._say("exchange.not_in_file", "rig", names=", ".join(left))

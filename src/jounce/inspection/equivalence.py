@@ -18,6 +18,7 @@ from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.core.waiting import Stage
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.methods import METHODS as EVALUATED
@@ -206,7 +207,7 @@ def study_equivalence(
         factors=usual_factors(points),
         limits=load_limits(limits),
         workers=processors(),
-        progress=lambda share: progress(f"testing: {100.0 * share:.0f} %"),
+        progress=lambda share: progress(Stage("testing: {percent:.0f} %", share=share, percent=100.0 * share)),
     )
 
 

@@ -10,8 +10,10 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced, read_description
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.description import Description, read_description
+from jounce.core.errors import DescriptionError, nearest, shown
+from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.phrases import Phrase
 from jounce.core.units import Number, to_si
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Language, WheelQuantity
@@ -102,7 +104,8 @@ class Criterion(Description):
         name = table["quantity"]
         if name not in QUANTITIES:
             hint = nearest(name, QUANTITIES)
-            raise misplaced(("quantity",), f"unknown quantity {name!r}; allowed: {', '.join(QUANTITIES)}. {hint}")
+            what = Phrase("unknown {kind} {name}", kind="quantity", name=shown(name))
+            raise misplaced(("quantity",), what, allowed=", ".join(QUANTITIES), hint=hint)
         if not isinstance(table.get("bands"), (list, tuple)):
             return table
         unit = cls._unit(table)
@@ -173,8 +176,7 @@ def _in_si(band: Any, i: int, unit: str) -> Any:
             try:
                 found[key] = to_si(found[key], unit)
             except DescriptionError as error:
-                said = f"{error.what}; found {error.found!r}; allowed: {error.allowed}"
-                raise misplaced(("bands", i, key), said) from None
+                raise misplaced_value(("bands", i, key), error) from None
     return found
 
 
@@ -240,14 +242,13 @@ class Limits(Description):
         for name in self.methods:
             if name not in METHODS:
                 hint = nearest(name, METHODS)
-                raise misplaced(("methods", name), f"unknown method; allowed: {', '.join(METHODS)}. {hint}".rstrip())
+                raise misplaced(("methods", name), "unknown method", allowed=", ".join(METHODS), hint=hint)
         for group in ("conditions", "differences"):
             for name, criterion in getattr(self, group).items():
                 for i, method in enumerate(criterion.methods):
                     if method not in self.methods:
-                        allowed = ", ".join(self.methods)
-                        text = f"no limits of a method {method!r} in this file; allowed: {allowed}"
-                        raise misplaced((group, name, "methods", i), text)
+                        what = Phrase("no limits of a method {name} in this file", name=shown(method))
+                        raise misplaced((group, name, "methods", i), what, allowed=", ".join(self.methods))
         return self
 
     @property

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.columns import read_comments_csv
-from jounce.core.description import description_text, toml_table
+from jounce.core.description import description_text, toml_error, toml_table
 from jounce.core.errors import DescriptionError, RecordingError, nearest, nearest_name
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
@@ -122,7 +122,9 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
     if beside.is_file() and beside != file:
         try:
             facts |= flat_facts(toml_table(description_text(beside)))
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        except tomllib.TOMLDecodeError as error:
+            raise toml_error(error, str(beside)) from None
+        except UnicodeDecodeError as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
     if file.is_file() and reader_of(file).name == "csv":
         for line in read_comments_csv(file):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Texts, operation
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.typed import quantity
@@ -63,7 +63,7 @@ class ClearanceStudy(Plain):
     def findings(self) -> tuple[Finding, ...]:
         """Pairs that overlap."""
         return tuple(
-            Finding(name, "warning", f"the bodies overlap by {-1e3 * least['clearance']:.4g} mm.", least["clearance"])
+            finding("kinematics.bodies_overlap", name, least["clearance"], overlap=-least["clearance"])
             for name, least in self.least.items()
             if least["clearance"] < 0.0
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import jounce as jn
-from jounce.papers import Array, Progress, no_progress
+from jounce.papers import Array, Counted, Progress, no_progress
 from jounce.papers.audi_a6_paper import (
     FREE_LENGTH,
     FREQUENCY,
@@ -206,7 +206,7 @@ def run_eccentric_exciter(
     assert isinstance(rig, jn.QuarterCar)
     runs = []
     for k, variant in enumerate(VARIANTS, 1):
-        progress(f"simulate {k} of {len(VARIANTS)}: {variant}")
+        progress(Counted("simulate", k, len(VARIANTS), variant))
         runs.append(_plate_run(variant, rig, amplitude, plate_mass))
     summed = runs[0]
     fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form["spring"]

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 import jounce as jn
-from jounce.papers import Array, Progress, no_progress
+from jounce.papers import Array, Counted, Progress, no_progress
 from jounce.papers.table2 import Table2Row, table2
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
@@ -180,7 +180,7 @@ def measurement_texts(
     progress("virtual bench: free decays")
     texts |= _decays(plan, truth)
     for k, row in enumerate(plan.trials, 1):
-        progress(f"virtual bench, trial {k} of {len(plan.trials)}: {row.number}")
+        progress(Counted("virtual bench, trial", k, len(plan.trials), row.number))
         texts[f"trials/{row.number:02d}.csv"] = _pass(row, plan, truth)
     return texts
 

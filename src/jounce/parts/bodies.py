@@ -10,6 +10,9 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
+from jounce.core.errors import as_found, shown
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.samples import listed
 from jounce.core.types import Array
 from jounce.core.units import (
@@ -28,11 +31,11 @@ Triple = tuple[float, float, float]
 def _three(value: Any) -> Any:
     value = listed(value)
     if not isinstance(value, (list, tuple)):
-        raise ValueError(
-            f'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]; found {value!r}'
-        )
+        what = 'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]'
+        raise misplaced((), what, found=as_found(value))
     if len(value) != 3:
-        raise ValueError(f"three values along x, y and z are needed; found {len(value)}: {list(value)}")
+        found = Phrase("{count}: {values}", count=len(value), values=shown(list(value)))
+        raise misplaced((), "three values along x, y and z are needed", found=found)
     return value
 
 

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, Union
 from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer, model_validator
 
 from jounce.core.constants import GRAVITY
-from jounce.core.description import Description, misplaced
-from jounce.core.errors import DescriptionError
+from jounce.core.description import Description
+from jounce.core.errors import DescriptionError, shown
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
 from jounce.parts.elements import (
@@ -126,8 +128,9 @@ class Hardpoints(Description):
             if size > LARGE and min(sizes.values()) < LARGE:
                 raise misplaced(
                     (name,),
-                    f"lies far from the other points; found {list(getattr(self, name))} m. Millimetres as metres? "
-                    'A bare number is in m; write "150 mm"',
+                    "lies far from the other points",
+                    found=Phrase("{point} m", point=list(getattr(self, name))),
+                    hint='Millimetres as metres? A bare number is in m; write "150 mm".',
                 )
 
     def _refuse_half(self, group: tuple[str, ...]) -> None:
@@ -142,8 +145,10 @@ class Hardpoints(Description):
         one, other = (one, other) if getattr(self, other) is not None else (other, one)
         raise misplaced(
             (other,),
-            f"the same point as {one}; found {written(b)} for both; allowed: two points that differ. "
-            "Was a line copied and not changed?",
+            Phrase("the same point as {name}", name=one),
+            found=Phrase("{point} for both", point=written(b)),
+            allowed="two points that differ",
+            hint="Was a line copied and not changed?",
         )
 
     def _refuse_one_line(self, one: str, other: str, turned: str) -> None:
@@ -153,8 +158,9 @@ class Hardpoints(Description):
         if distance_to_line(c, a, b) < ON_ONE_LINE * max(distance(a, b), distance(a, c)):
             raise misplaced(
                 (turned,),
-                f"lies on the line through {one} and {other}; found {written(c)}; allowed: a point away from it, "
-                "because it could not rotate about that axis",
+                Phrase("lies on the line through {start} and {end}", start=one, end=other),
+                found=Phrase(written(c)),
+                allowed="a point away from it, because it could not rotate about that axis",
             )
 
 
@@ -403,23 +409,30 @@ class Corner(Rig):
         if self.sign * centre[1] <= 0.0:
             raise misplaced(
                 ("hardpoints", "wheel_centre"),
-                f"not on the {self.side} side of the car; found y = {1e3 * centre[1]:g} mm; allowed: "
-                f'{"above" if self.side == "left" else "below"} 0 for side = "{self.side}" (y points to the left). '
-                f"Change side, or the sign of all y",
+                f"not on the {self.side} side of the car",
+                found=Phrase("y = {y:g} mm", y=1e3 * centre[1]),
+                allowed='above 0 for side = "left" (y points to the left)'
+                if self.side == "left"
+                else 'below 0 for side = "right" (y points to the left)',
+                hint="Change side, or the sign of all y.",
             )
         if centre[2] <= 0.0:
             raise misplaced(
                 ("hardpoints", "wheel_centre"),
-                f"lies in or below the road, which is z = 0; found z = {1e3 * centre[2]:g} mm; allowed: above 0. "
-                "Add the loaded radius of the tyre to all heights",
+                "lies in or below the road, which is z = 0",
+                found=Phrase("z = {z:g} mm", z=1e3 * centre[2]),
+                allowed=Phrase("above {bound:g}", bound=0.0),
+                hint="Add the loaded radius of the tyre to all heights.",
             )
         for name, point in self.hardpoints.given().items():
             allowed = 0.0 if name in self.hardpoints.outer else ACROSS * abs(centre[1])
             if self.sign * point[1] < -allowed and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
                 raise misplaced(
                     ("hardpoints", name),
-                    f"on the other side of the car than the wheel; found {written(point)}, the wheel centre has y = "
-                    f"{1e3 * centre[1]:g} mm; allowed: points of one side. Is the sign of y wrong?",
+                    "on the other side of the car than the wheel",
+                    found=Phrase("{point}, the wheel centre has y = {y:g} mm", point=written(point), y=1e3 * centre[1]),
+                    allowed="points of one side",
+                    hint="Is the sign of y wrong?",
                 )
 
     def _check_sprung(self) -> None:
@@ -450,8 +463,8 @@ class Corner(Rig):
         if bar_points != (self.anti_roll_bar is not None):
             raise misplaced(
                 ("hardpoints",) if bar_points else ("anti_roll_bar",),
-                "an anti-roll bar needs its table [anti_roll_bar] and hardpoints arb_pivot, arb_arm_end, arb_link_end; "
-                f"found only {'the points' if bar_points else 'the table'}",
+                "an anti-roll bar needs its table [anti_roll_bar] and hardpoints arb_pivot, arb_arm_end, arb_link_end",
+                found=Phrase("only the points" if bar_points else "only the table"),
             )
 
         if self.hardpoints.arb_axis is not None and not bar_points:
@@ -476,8 +489,9 @@ class Corner(Rig):
         if needing:
             raise misplaced(
                 ("hardpoints", "strut_bottom"),
-                f"missing, and strut_top with it; found {', '.join(needing)}, which need the ends of the strut. "
-                "Give both ends, or only the other points and [wheel], which are enough for kinematics",
+                "missing, and strut_top with it",
+                found=Phrase("{names}, which need the ends of the strut", names=", ".join(needing)),
+                hint="Give both ends, or only the other points and [wheel], which are enough for kinematics.",
             )
 
     def _check_stem(self) -> None:
@@ -489,8 +503,9 @@ class Corner(Rig):
             if abs(getattr(points, name)[1]) >= SAME_POINT:
                 raise misplaced(
                     ("hardpoints", name),
-                    f"off the middle of the car; found {written(getattr(points, name))}; allowed: y = 0, where the "
-                    "stem of a T-bar is",
+                    "off the middle of the car",
+                    found=Phrase(written(getattr(points, name))),
+                    allowed="y = 0, where the stem of a T-bar is",
                 )
 
     def _check_third_spring(self) -> None:
@@ -499,8 +514,8 @@ class Corner(Rig):
         if (end is None) != (self.third_spring is None):
             raise misplaced(
                 ("hardpoints",) if self.third_spring is None else ("third_spring",),
-                "a third spring needs its table [third_spring] and hardpoint third_spring_end; "
-                f"found only {'the point' if self.third_spring is None else 'the table'}",
+                "a third spring needs its table [third_spring] and hardpoint third_spring_end",
+                found=Phrase("only the point" if self.third_spring is None else "only the table"),
             )
         if end is None or self.third_spring is None:
             return
@@ -508,8 +523,9 @@ class Corner(Rig):
         if self.sign * end[1] < _APART:
             raise misplaced(
                 ("hardpoints", "third_spring_end"),
-                f"at or across the middle of the car, where the other end is; found {written(end)}; allowed: "
-                f"{1e3 * _APART:g} mm from it at least",
+                "at or across the middle of the car, where the other end is",
+                found=Phrase(written(end)),
+                allowed=Phrase("{least:g} mm from it at least", least=1e3 * _APART),
             )
 
     def _require_body(self, element: str, name: str) -> None:
@@ -517,8 +533,12 @@ class Corner(Rig):
             return
         raise misplaced(
             (element,) if element == "hardpoints" else (element, "on"),
-            f"the body {name!r} carries it and does not exist; allowed: {', '.join(self.body_masses())}, or a table "
-            f"[bodies.{name}] with mass, centre_of_mass and inertia",
+            Phrase("the body {name} carries it and does not exist", name=shown(name)),
+            allowed=Phrase(
+                "{names}, or a table [bodies.{name}] with mass, centre_of_mass and inertia",
+                names=", ".join(self.body_masses()),
+                name=name,
+            ),
         )
 
 
@@ -676,7 +696,9 @@ class FiveLinkHardpoints(RockerHardpoints):
             ends = [(self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}")) for end in ("inner", "outer")]
             if all(a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends):
                 raise misplaced(
-                    (f"link_{j}_inner",), f"link {j} has both ends of link {i}; allowed: five different links"
+                    (f"link_{j}_inner",),
+                    Phrase("link {second} has both ends of link {first}", second=j, first=i),
+                    allowed="five different links",
                 )
         return self
 

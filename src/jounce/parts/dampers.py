@@ -13,8 +13,9 @@ from typing import Annotated, Any, ClassVar, Literal, Protocol, Self
 import numpy as np
 from pydantic import BaseModel, Discriminator, Field, Tag, model_validator
 
-from jounce.core.description import Description, misplaced
+from jounce.core.description import Description
 from jounce.core.errors import unknown
+from jounce.core.misplaced import misplaced
 from jounce.core.samples import Listed
 from jounce.core.types import Array
 from jounce.core.units import (

@@ -11,7 +11,10 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced
+from jounce.core.description import Description
+from jounce.core.errors import as_found
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.samples import Listed
 from jounce.core.units import (
     Angle,
@@ -123,8 +126,8 @@ def require_one(part: Description, *names: str) -> None:
     """Refuse a part that gives none or more than one of the named laws."""
     given = [name for name in names if getattr(part, name) is not None]
     if len(given) != 1:
-        found = " and ".join(given) if given else "none of them"
-        raise ValueError(f"give exactly one of {', '.join(names)}; found {found}")
+        found = Phrase(" and ".join(given) if given else "none of them")
+        raise misplaced((), Phrase("give exactly one of {names}", names=", ".join(names)), found=found)
 
 
 class CoilSpring(Description):
@@ -170,8 +173,9 @@ class SpatialStrut(Description):
         if isinstance(table, dict) and "angle" in table:
             raise misplaced(
                 ("angle",),
-                f"a 3-D rig takes no strut angle, which follows from its geometry; found {table['angle']!r}. Move "
-                "hardpoints.strut_top or hardpoints.strut_bottom instead",
+                "a 3-D rig takes no strut angle, which follows from its geometry",
+                found=as_found(table["angle"]),
+                hint="Move hardpoints.strut_top or hardpoints.strut_bottom instead.",
             )
         return table
 
@@ -216,12 +220,14 @@ class SteeringColumn(Description):
         given = [(name, point) for name, point in points.items() if point is not None]
         for (one, start), (other, end) in pairwise(given):
             if math.dist(start, end) < _SHORTEST_SHAFT:
-                raise misplaced((other,), f"the same point as {one}; allowed: the other end of a shaft")
+                raise misplaced(
+                    (other,), Phrase("the same point as {name}", name=one), allowed="the other end of a shaft"
+                )
         for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
             bend = _bend(start, middle, end)
             if bend > _STEEPEST_JOINT:
-                allowed = f"allowed: up to {_STEEPEST_JOINT:g} deg, as universal joints do"
-                raise misplaced((joint,), f"bends the column by {bend:.3g} deg; {allowed}")
+                allowed = Phrase("up to {most:g} deg, as universal joints do", most=_STEEPEST_JOINT)
+                raise misplaced((joint,), Phrase("bends the column by {bend:.3g} deg", bend=bend), allowed=allowed)
         return self
 
 
@@ -252,7 +258,9 @@ class Steering(Description):
         if self.rack_ratio == 0.0:
             raise misplaced(
                 ("rack_ratio",),
-                "a rack that does not move; found 0 m/rad; allowed: any other, negative where it moves the other way",
+                "a rack that does not move",
+                found=Phrase("0 m/rad"),
+                allowed="any other, negative where it moves the other way",
             )
         if self.column is not None and self.rack_ratio is None:
             raise misplaced(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")

@@ -15,7 +15,7 @@ import numpy as np
 import tomlkit
 
 from jounce.core.description import check_schema, dotted, line_of, read_toml
-from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.errors import DescriptionError, at_line, below, nearest, unknown
 from jounce.core.files import chosen_file, shipped_files
 from jounce.core.text import in_one_line, quoted
 from jounce.core.units import conversion_factor, to_si
@@ -190,7 +190,7 @@ def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any
         entry = table.get(axle)
         if isinstance(entry, dict) and not isinstance(entry.get("corner", {}), dict):
             line = line_of(text, (axle, "corner")) if text else None
-            place = ": ".join(filter(None, (f"{where}, line {line}" if line else where, f"{axle}.corner")))
+            place = below(at_line(where, line) if where else "", f"{axle}.corner")
             found[axle] = {**entry, "corner": _corner(entry["corner"], Path(where).parent if where else None, place)}
     return found
 

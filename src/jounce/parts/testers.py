@@ -12,10 +12,12 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced, read_description
+from jounce.core.description import Description, read_description
 from jounce.core.errors import DescriptionError, nearest_name
 from jounce.core.files import chosen_file, shipped_files
 from jounce.core.findings import Finding, finding
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.units import (
     Frequency,
     Mass,
@@ -134,7 +136,8 @@ class TesterLimits(Description):
         for name in ("wheel_load", "tyre_rigidity", "frequency"):
             low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
             if low >= high:
-                raise misplaced((f"{name}_min",), f"not below {name}_max; found {low:g} and {high:g} (SI)")
+                found = Phrase("{low:g} and {high:g} (SI)", low=low, high=high)
+                raise misplaced((f"{name}_min",), Phrase("not below {name}_max", name=name), found=found)
         return self
 
 
@@ -207,10 +210,12 @@ class Tester(Description):
         if sprung != (self.plate_spring_rate is not None):
             raise misplaced(
                 ("plate_spring_rate",),
-                'a sprung plate needs it, a rigid one has none; found kind = "' + self.kind + '"',
+                "a sprung plate needs it, a rigid one has none",
+                found=Phrase('kind = "{kind}"', kind=self.kind),
             )
         if self.plate_damping_coefficient is not None and not sprung:
-            raise misplaced(("plate_damping_coefficient",), 'a rigid plate has none; found kind = "rigid-plate"')
+            found = Phrase('kind = "rigid-plate"')
+            raise misplaced(("plate_damping_coefficient",), "a rigid plate has none", found=found)
         if self.programme.run_down == "free" and self.drive is None:
             raise misplaced(
                 ("drive",), 'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing'

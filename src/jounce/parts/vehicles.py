@@ -7,8 +7,9 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 from pydantic import Field, model_validator
 
 from jounce.core.constants import GRAVITY
-from jounce.core.description import Description, misplaced
+from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.misplaced import misplaced
 from jounce.core.units import (
     Acceleration,
     Length,
@@ -286,14 +287,15 @@ class SpatialAxle(Description):
     @model_validator(mode="after")
     def _is_left(self) -> Self:
         if self.corner.side != "left":
-            raise misplaced(("corner", "side"), 'found "right"; allowed: the left corner, the right one is its mirror')
+            raise misplaced(("corner", "side"), 'found "right"', allowed="the left corner, the right one is its mirror")
         if self.corner.lacks:
             raise misplaced(("corner",), f"of a car needs all its parts; it has no {', '.join(self.corner.lacks)}")
         bar = self.corner.anti_roll_bar
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
             raise misplaced(
                 ("anti_roll_bar_rate",),
-                "the corner describes this bar, too, and both would count; allowed: one of them",
+                "the corner describes this bar, too, and both would count",
+                allowed="one of them",
             )
         return self
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from jounce.core.errors import RecordingError
+from jounce.core.errors import RecordingError, at_line
 from jounce.core.types import Array
 from jounce.core.units import LARGEST
 
@@ -52,7 +52,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     separator = "," if has_commas else "\t"
     names = _cells(lines[ends[1] + 1].rstrip(separator), separator)
     if names[0] != "X_Value":
-        where, hint = f"{file}, line {ends[1] + 2}", "Is the file whole?"
+        where, hint = at_line(file, ends[1] + 2), "Is the file whole?"
         raise RecordingError("no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint)
     clocks = [i for i, name in enumerate(names) if name == "X_Value"]
     channels = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
@@ -177,7 +177,7 @@ def _rows(
     same = _SAME_TIME * _step_of(written, step)
     for place, own in stamps.items():
         if max(own) - min(own) > same:
-            raise _apart(f"{file}, line {place + 1}", [f"{cell} s" for cell in own.values()])
+            raise _apart(at_line(file, place + 1), [f"{cell} s" for cell in own.values()])
     return rows, written, 10.0**last
 
 

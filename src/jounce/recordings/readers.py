@@ -823,7 +823,7 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
     columns = list(table.columns)
     for place, column in enumerate(columns):
         reported = column.fault or RecordingError("", allowed="a number")
-        line = int(match[1]) if (match := re.search(r", line (\d+): column ", reported.where)) else 0
+        line = reported.line or 0
         if not (line or (column.fault is None and column.unit == "s" and not _may_be_clock(column.name, "s"))):
             continue
         heads = (column.written or column.label, column.label, column.name)

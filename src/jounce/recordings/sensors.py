@@ -12,10 +12,11 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
-from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description, Whole
-from jounce.core.errors import shown
+from jounce.core.errors import as_found, shown
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, as_number, to_si
@@ -39,17 +40,11 @@ class ChannelUnit(Unit):
         text = value if isinstance(value, str) else shown(value)
         match = _LEADING_NUMBER.match(text) if len(text) < _LONGEST_VALUE else None
         if isinstance(value, bool) or not isinstance(value, (int, float, str)) or match is None:
-            raise PydanticCustomError(
-                "physical_value",
-                "not a physical value; found {found}; allowed: '<number> <unit of the channel>' or a number in SI",
-                {"found": shown(value)},
-            )
+            allowed = "'<number> <unit of the channel>' or a number in SI"
+            raise misplaced((), "not a physical value", found=as_found(value), allowed=allowed)
         if self.at_least is not None and float(match[0]) < self.at_least:
-            raise PydanticCustomError(
-                "out_of_range",
-                "out of range; found {found}; allowed: {allowed}",
-                {"found": shown(value), "allowed": f"at least {self.at_least:g}"},
-            )
+            allowed = Phrase("at least {bound:g}", bound=self.at_least)
+            raise misplaced((), "out of range", found=as_found(value), allowed=allowed)
         return value
 
 
@@ -119,9 +114,10 @@ class Sensor(Description):
     @model_validator(mode="after")
     def _is_possible(self) -> Self:
         if self.gain == 0.0:
-            raise ValueError("a gain of 0 removes the signal; allowed: any other number")
+            raise misplaced((), "a gain of 0 removes the signal", allowed="any other number")
         if self.high_pass is not None and self.low_pass is not None and self.high_pass >= self.low_pass:
-            raise ValueError(f"high_pass ({self.high_pass:g} Hz) is not below low_pass ({self.low_pass:g} Hz)")
+            text = "high_pass ({high_pass:g} Hz) is not below low_pass ({low_pass:g} Hz)"
+            raise ValueError(Phrase(text, high_pass=self.high_pass, low_pass=self.low_pass))
         return self
 
     @property

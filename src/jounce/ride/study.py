@@ -16,6 +16,7 @@ from jounce.core.findings import findings_of
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
+from jounce.core.waiting import counted
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.parts.rig import check_rig
 from jounce.parts.vehicles import track_width
@@ -468,7 +469,7 @@ def compare_rides(
     first_error: JounceError | None = None
     for k, (given, control) in enumerate(zip(controls, chosen, strict=True), 1):
         name = control_name(given)
-        progress(f"driving {k} of {len(chosen)}: {name}")
+        progress(counted("driving {which} of {count}: {name}", k, len(chosen), name=name))
         try:
             rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:

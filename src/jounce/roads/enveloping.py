@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
@@ -102,7 +104,8 @@ class Enveloped(RoadOf):
                 word = "needs" if name in needed else "does not use"
                 raise ValueError(f"the method {self.method!r} {word} {name}")
         if self.cam_exponent <= 1.0:
-            raise ValueError(f"cam_exponent {self.cam_exponent:g} gives a cam with corners; allowed: above 1")
+            what = Phrase("cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent)
+            raise misplaced((), what, allowed=Phrase("above {bound:g}", bound=1.0))
 
     @model_validator(mode="after")
     def _checked(self) -> Self:

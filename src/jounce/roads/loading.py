@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.description import dotted, line_of, read_toml
-from jounce.core.errors import DescriptionError, unknown
+from jounce.core.errors import DescriptionError, at_line, below, unknown
 from jounce.core.files import chosen_file, shipped_files
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import ROADS, Road
@@ -233,5 +233,4 @@ class _Reader:
 
     def _place(self, path: tuple[str, ...]) -> str:
         line = line_of(self.text, path) if self.text else None
-        prefix = f"{self.where}, line {line}" if self.where and line else self.where
-        return ": ".join(part for part in (prefix, dotted(path)) if part)
+        return below(at_line(self.where, line) if self.where else "", dotted(path))

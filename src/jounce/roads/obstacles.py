@@ -11,6 +11,8 @@ from typing import Literal
 from pydantic import Field
 
 from jounce.core.description import Whole
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Height, NonNegativeLength, PositiveHeight, PositiveLength
 from jounce.roads.profile import Piece, Profile, profile, repeated
@@ -135,10 +137,9 @@ class Trapezoid(Road):
     def check(self) -> None:
         """Refuse ramps that do not fit."""
         if 2.0 * self.ramp > self.length * (1.0 + 1e-9):
-            raise ValueError(
-                f"two ramps of {self.ramp:g} m do not fit into the length {self.length:g} m; "
-                f"allowed: a ramp up to {0.5 * self.length:g} m"
-            )
+            text = "two ramps of {ramp:g} m do not fit into the length {length:g} m"
+            most = Phrase("a ramp up to {most:g} m", most=0.5 * self.length)
+            raise misplaced((), Phrase(text, ramp=self.ramp, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """Ramp, plateau, ramp; no plateau when the ramps meet."""
@@ -219,10 +220,9 @@ class CircularSegment(Road):
     def check(self) -> None:
         """Refuse what is more than half a cylinder."""
         if abs(self.height) > 0.5 * self.length * (1.0 + 1e-9):
-            raise ValueError(
-                f"height {self.height:g} m is more than a half-cylinder of length {self.length:g} m has; "
-                f"allowed: up to {0.5 * self.length:g} m"
-            )
+            text = "height {height:g} m is more than a half-cylinder of length {length:g} m has"
+            most = Phrase("up to {most:g} m", most=0.5 * self.length)
+            raise misplaced((), Phrase(text, height=self.height, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """One arc through both feet and the crest."""
@@ -341,10 +341,9 @@ class Pothole(Road):
         """Refuse edge radii above the depth, or above half the length."""
         _check_edge(self.edge_radius, self.depth, "depth")
         if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
-            raise ValueError(
-                f"two edges of radius {self.edge_radius:g} m do not fit into the length {self.length:g} m; "
-                f"allowed: an edge_radius up to {0.5 * self.length:g} m"
-            )
+            text = "two edges of radius {radius:g} m do not fit into the length {length:g} m"
+            most = Phrase("an edge_radius up to {most:g} m", most=0.5 * self.length)
+            raise misplaced((), Phrase(text, radius=self.edge_radius, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """Edge, bottom, edge."""
@@ -386,10 +385,13 @@ class Train(RoadOf):
                 object.__setattr__(self, name, getattr(self.of, name))
         length = self.of.profile().span
         if self.count > 1 and self.pitch < length * (1.0 - 1e-9):
-            raise ValueError(
-                f"the obstacles overlap: pitch {self.pitch:g} m (start to start) is shorter than the length "
-                f"{length:g} m of one; allowed: a pitch of at least {length:g} m"
+            what = Phrase(
+                "the obstacles overlap: pitch {pitch:g} m (start to start) is shorter than the length {length:g} m "
+                "of one",
+                pitch=self.pitch,
+                length=length,
             )
+            raise misplaced((), what, allowed=Phrase("a pitch of at least {length:g} m", length=length))
 
     def profile(self) -> Profile:
         """Pieces of the whole train."""
@@ -413,7 +415,6 @@ def _edge(radius: float, upper: float, *, down: bool) -> Piece:
 
 def _check_edge(radius: float, height: float, name: str) -> None:
     if radius > abs(height) * (1.0 + 1e-9):
-        raise ValueError(
-            f"an edge of radius {radius:g} m is rounder than the {name} {abs(height):g} m; "
-            f"allowed: an edge_radius up to {abs(height):g} m"
-        )
+        text = "an edge of radius {radius:g} m is rounder than the {name} {height:g} m"
+        most = Phrase("an edge_radius up to {most:g} m", most=abs(height))
+        raise misplaced((), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most)

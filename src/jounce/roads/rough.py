@@ -12,6 +12,8 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -137,7 +139,7 @@ def _letter(value: object) -> object:
         try:
             class_roughness(value)
         except DescriptionError as error:
-            raise ValueError(f"{error.what}; allowed: {error.allowed}") from None
+            raise misplaced_value((), error) from None
         return value.strip().upper()
     return value
 
@@ -229,13 +231,13 @@ class Iso8608(SampledRoad):
         if low >= 0.5 / self.step:
             raise ValueError(f"points every {self.step:g} m hold no waves of {low:g} 1/m and more; make step smaller")
         if 2.0 * self.fade > self.length * (1.0 + 1e-9):
-            raise ValueError(
-                f"two fades of {self.fade:g} m do not fit into the length {self.length:g} m; "
-                f"allowed: a run_in up to {0.5 * self.length:g} m"
-            )
+            text = "two fades of {fade:g} m do not fit into the length {length:g} m"
+            most = Phrase("a run_in up to {most:g} m", most=0.5 * self.length)
+            raise misplaced((), Phrase(text, fade=self.fade, length=self.length), allowed=most)
         points = _points(self.length, self.step) * _periods(self.length, low)
         if points > MOST_POINTS:
-            raise ValueError(f"{points} points; allowed: up to {MOST_POINTS}; make step larger or the road shorter")
+            most = Phrase("up to {most}; make step larger or the road shorter", most=MOST_POINTS)
+            raise misplaced((), Phrase("{points} points", points=points), allowed=most)
 
     @property
     def degree_of_roughness(self) -> float:

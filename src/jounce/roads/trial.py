@@ -17,6 +17,7 @@ from jounce.core.description import Description
 from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.misplaced import misplaced
 from jounce.core.remembered import remembered
 from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
@@ -387,7 +388,7 @@ class Trial(Description):
     def _checked(self) -> Self:
         if (self.road is None) == (self.excitation is None):
             given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
-            raise ValueError(f"{given} given; allowed: road and speed, or excitation")
+            raise misplaced((), f"{given} given", allowed="road and speed, or excitation")
         if self.speeds is not None and self.road is None:
             raise ValueError("speeds are given without a road; an excitation is in time already")
         if self.speeds is not None and "duration" in self.model_fields_set:

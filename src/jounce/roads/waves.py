@@ -9,6 +9,8 @@ from typing import Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.segments import SINE
 from jounce.core.types import Array
 from jounce.core.units import Angle, Height, PositiveLength, positive_si, to_si
@@ -94,7 +96,8 @@ class SineSweep(Road):
         """Refuse more waves than can sensibly be driven over."""
         waves = _cycles(1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law)
         if waves > MOST_WAVES:
-            raise ValueError(f"{waves:.0f} waves; allowed: up to {MOST_WAVES}; make the sweep shorter")
+            most = Phrase("up to {most}; make the sweep shorter", most=MOST_WAVES)
+            raise misplaced((), Phrase("{waves:.0f} waves", waves=waves), allowed=most)
 
     def profile(self) -> Profile:
         """Cubics with the exact slopes, 64 to a wave."""

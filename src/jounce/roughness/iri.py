@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.columns import text_of
-from jounce.core.errors import RecordingError
+from jounce.core.errors import RecordingError, at_line
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Number, operation
 from jounce.core.recursion import first_order
@@ -484,12 +484,12 @@ def _bare_columns(file: Path) -> tuple[Array, Array, list[Finding]]:
         row = _numbers(cells)
         if row is None or len(row) != 2:
             raise RecordingError(
-                "not two numbers", where=f"{file}, line {number}", found=" ".join(cells), allowed="distance and height"
+                "not two numbers", where=at_line(file, number), found=" ".join(cells), allowed="distance and height"
             )
         if not np.isfinite(row).all():
             raise RecordingError(
                 "not a finite number",
-                where=f"{file}, line {number}",
+                where=at_line(file, number),
                 found=" ".join(cells),
                 hint="Fill the gap, or cut padding off.",
             )

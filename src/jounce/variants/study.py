@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
-from jounce.core.errors import JounceError
+from jounce.core.description import Description, Seed, Whole, line_of, read_description
+from jounce.core.errors import JounceError, as_found, at_line, below
+from jounce.core.misplaced import misplaced
 from jounce.core.serialise import Plain, to_json
 from jounce.core.text import guarded
 from jounce.core.types import Array
@@ -53,7 +54,7 @@ class SweepDesign(Description):
     def _counts_what_is_drawn(self) -> SweepDesign:
         if (self.kind in ("list", "grid")) != (self.count is None):
             said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
-            raise misplaced(("count",), f"a design of kind {self.kind!r} {said}; found {self.count}")
+            raise misplaced(("count",), f"a design of kind {self.kind!r} {said}", found=as_found(self.count))
         return self
 
 
@@ -345,5 +346,5 @@ def _placed(error: JounceError, file: Path, text: str, study: SweepStudy) -> Jou
 
 
 def _told(error: JounceError, file: Path, line: int | None, place: str) -> JounceError:
-    where = f"{file}{f', line {line}' if line else ''}: {place}"
+    where = below(at_line(file, line), place)
     return type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)

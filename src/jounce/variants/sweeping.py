@@ -11,6 +11,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.interrupts import uncovering_interrupts
 from jounce.core.operation import Count, File, Mark, Switch, operation
 from jounce.core.trust import trusting
+from jounce.core.waiting import Stage
 from jounce.variants.study import SweepResult, read_sweep, run_sweep
 from jounce.variants.workers import cluster_at
 
@@ -55,7 +56,9 @@ def sweep_study(
         raise DescriptionError("two places to work in", where="--workers, --cluster", allowed=allowed)
 
     def say(done: int, count: int) -> None:
-        progress(f"simulating {count:,} variants: {100.0 * done / count:.1f} %".replace(",", " "))
+        share, variants = done / count, f"{count:,}".replace(",", " ")
+        template = "simulating {variants} variants: {percent:.1f} %"
+        progress(Stage(template, share=share, percent=100.0 * share, variants=variants))
 
     def run(client: Any = None) -> SweepResult:
         options: dict[str, Any] = {"resume": resume, "force": force, "workers": workers, "client": client}

@@ -7,6 +7,7 @@ from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
+from tomllib import TOMLDecodeError
 from typing import TYPE_CHECKING, Any
 
 import tomlkit
@@ -70,15 +71,15 @@ def rig_of(project: Project, name: str) -> Rig:
 
 def rig_in(project: Project, name: str, text: str) -> Rig:
     """Give the rig of a text that is, or will be, the file of that path; nothing of it is saved."""
-    from jounce.core.description import toml_table
+    from jounce.core.description import toml_error, toml_table
     from jounce.core.files import only_below
     from jounce.parts.files import rig_from_table
 
     file = project.inside(name)
     try:
         table = toml_table(text)
-    except ValueError as error:
-        raise DescriptionError(f"not valid TOML: {error}", where=name) from None
+    except TOMLDecodeError as error:
+        raise toml_error(error, name) from None
     with only_below(project.root):
         return rig_from_table(table, where=str(file), text=text)
 

@@ -17,12 +17,13 @@ from pydantic import BaseModel, ConfigDict, Field
 from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.findings import with_german
 from jounce.core.optional import require
+from jounce.core.phrases import german_of
 from jounce.core.serialise import to_plain
 from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.bodies import Route
-from jounce.web.jobs import Jobs
+from jounce.web.jobs import Jobs, without_options
 from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
 from jounce.web.records import Records
 from jounce.web.safety import Guard, sealed
@@ -174,8 +175,10 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def refused(_: Request, error: JounceError) -> JSONResponse:
         found = None if error.found is None else str(error.found)
         plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
+        plain |= {"text": str(error), "german": german_of(str(error))}
+        plain |= without_options(plain)
         here = f"{project.root}{os.sep}"  # files are named as the project names them
-        told = {key: text and text.replace(here, "") for key, text in (plain | {"text": str(error)}).items()}
+        told = {key: text and text.replace(here, "") for key, text in plain.items()}
         return _Refusal({"error": told}, 409 if isinstance(error, OutputError) else 422)
 
     @app.exception_handler(OSError)
@@ -243,7 +246,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
         with only_below(project.root):
             found = check_file(project.inside(path))
-        return {"kind": found.kind, "what": found.what, "problems": found.problems, "notes": to_plain(found.notes)}
+        problems = [{"text": text, "german": german_of(text)} for text in found.problems]
+        return {"kind": found.kind, "what": found.what, "problems": problems, "notes": to_plain(found.notes)}
 
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:

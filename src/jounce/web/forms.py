@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,7 +14,7 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 
 from jounce.core.commands import command_line
-from jounce.core.description import toml_table
+from jounce.core.description import dotted, toml_error, toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
 from jounce.web.answers import changed_by, described, rig_in, word
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
     from jounce.parts import Rig
 
 Key = str | int
-_PLACED = re.compile(r"^(?:.*?, line (?P<line>\d+): )?(?P<path>[A-Za-z_][\w.\[\]-]*): (?P<what>.*)$")
-_LINE = re.compile(r"at line (\d+)")
 
 
 @dataclass(frozen=True)
@@ -36,6 +33,7 @@ class FormProblem:
     path: str
     line: int
     text: str
+    german: str | None
 
 
 @dataclass(frozen=True)
@@ -88,8 +86,7 @@ def form_of(
             text = _with_value(text, keys, value)
         values = toml_table(text)
     except tomllib.TOMLDecodeError as error:
-        line = _LINE.search(str(error))
-        return Form(text, {}, "", (FormProblem("", int(line[1]) if line else 0, f"not valid TOML: {error}"),))
+        return Form(text, {}, "", _problems(toml_error(error, ""), {}))
     model = str(values.get("model", ""))
     saved = project.read(path).text if file.is_file() else ""
     try:
@@ -103,7 +100,7 @@ def form_of(
                 values, rig = toml_table(text), rig_in(project, path, text)
             numbers, python = described(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
-        return Form(text, values, model, _problems(error), None, _differing(saved, text))
+        return Form(text, values, model, _problems(error, values), None, _differing(saved, text))
     is_saved = text == saved.replace("\r\n", "\n")  # a command knows no other
     command = command_line(["jounce", "check", word(path)]) if is_saved else ""
     return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
@@ -153,16 +150,13 @@ def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
     return f"{load}  # once it is saved: more than numbers is changed\nprint(rig)\n"
 
 
-def _problems(error: JounceError) -> tuple[FormProblem, ...]:
-    lines = str(error).split("\n")
+def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProblem, ...]:
+    """What an error says, each problem at its value; where that is not in the text, words say the place."""
     found = []
-    for line in lines:
-        placed = _PLACED.match(line)
-        found.append(
-            FormProblem(placed["path"], int(placed["line"] or 0), placed["what"])
-            if placed
-            else FormProblem("", 0, line)
-        )
+    for each in error.problems or (error,):
+        path = dotted(each.path) or (each.where if each.where.partition(".")[0].partition("[")[0] in values else "")
+        text = each.message(placed=not path)
+        found.append(FormProblem(path, each.line or 0, text, text.german()))
     return tuple(found)
 
 

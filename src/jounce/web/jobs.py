@@ -26,8 +26,10 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, Field, FiniteFloat
 
 from jounce.core.commands import command_line
-from jounce.core.errors import DescriptionError, JounceError, OutputError
+from jounce.core.errors import DescriptionError, JounceError, Message, OutputError
 from jounce.core.locking import is_held
+from jounce.core.phrases import Translated, german_of
+from jounce.core.writing import ALLOW_OVERWRITING
 from jounce.kernel.apart import SPLITS
 from jounce.web.project import Project
 from jounce.web.tasks import AnyTask, Doing, doing_of
@@ -191,7 +193,7 @@ class Jobs:
         folder = self._place(name)
         job, progress = self._job(name), _known(_Progress, folder / PROGRESS) or _Progress()
         is_cancelled = os.path.lexists(folder / CANCEL)
-        found = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "ended": None}
+        found = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "german": None, "ended": None}
         found |= progress.model_dump(exclude={"at", "clock"})
         end = _known(_End, folder / END)
         if end is None and self._lives(name, folder):
@@ -200,13 +202,16 @@ class Jobs:
         end = end or _known(_End, folder / END)  # which it may have written between the two looks
         told = _told(folder, end.code if end else None)
         state = told["state"] if not is_cancelled or told["state"] == "done" else "cancelled"
-        error = told["error"] and told["error"]["text"].replace(f"{self.project.root}{os.sep}", "")
+        here, error = f"{self.project.root}{os.sep}", told["error"] or {}
         last, ended = (end.clock, end.ended) if end else (progress.clock, progress.at)
         lasted = None if last is None or job.clock is None else max(0.0, last - job.clock)
         found |= {"state": state, "code": end and end.code, "ended": ended, "lasted": lasted}
-        found["error"] = error if state == "failed" else None
+        if state == "failed":
+            found["error"], found["german"] = (
+                (error.get(key) or "").replace(here, "") or None for key in ("text", "german")
+            )
         if end is None:  # it is asked again: where it was begun just now by another server, it lives in a moment
-            return found | {"error": "The process that worked on it was ended, or the computer was."}
+            return found | {"error": _LOST, "german": german_of(_LOST)}
         self.ended[name] = found
         return found
 
@@ -311,11 +316,14 @@ class Jobs:
         return folder
 
 
+_LOST = "The process that worked on it was ended, or the computer was."
+
+
 class Refused(JounceError):
     """What a command in another process said was wrong, in its own words."""
 
     def __init__(self, error: Mapping[str, Any]) -> None:
-        self.text = str(error["text"])
+        self.text = Translated(str(error["text"]), error.get("german"))
         words = {name: str(error.get(name) or "") for name in ("where", "allowed", "hint")}
         super().__init__(str(error.get("what") or self.text), found=error.get("found"), **words)
 
@@ -399,12 +407,26 @@ def _told(folder: Path, code: int | None) -> dict[str, Any]:
     if isinstance(plain, Mapping) and code in (0, 1, 2) and set(plain) != {"error"}:
         return {"state": "done", "error": None}  # with another code than 0 something in it failed, which it says
     if isinstance(own, Mapping):
-        message = str(own.get("message", ""))
-        return {"state": "failed", "error": {**own, "text": message}}
+        return {"state": "failed", "error": {**own, "text": str(own.get("message", "")), **without_options(own)}}
     if code is None:
         return {"state": "stopped", "error": None}
     text = said.strip().splitlines()[-1] if said.strip() else f"The process ended (exit code {code})."
     return {"state": "failed", "error": {"text": text.removeprefix("jounce: "), "what": text}}
+
+
+_ADVICE = {
+    "the output exists": "Choose another name.",
+    "the output folder is not empty": "Choose another name, or begin it again, which replaces what is there.",
+}
+
+
+def without_options(error: Mapping[str, Any]) -> dict[str, Any]:
+    """The text of an error whose hint names an option, which no page has; empty for others."""
+    if error.get("hint") != ALLOW_OVERWRITING:
+        return {}
+    what = error["what"]
+    message = Message(what, where=error["where"] or "", hint=_ADVICE[what])
+    return {"text": message, "german": message.german(), "hint": _ADVICE[what]}
 
 
 def _number(name: str) -> int:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import JounceError, unforeseen
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, for_page, with_german
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.web.project import unusable
@@ -36,11 +36,11 @@ def answer(question: Mapping[str, Any]) -> int:
             found = swept(Project(question["root"]), question["folder"])
         else:
             found = preview(question)
-        sys.stdout.write(to_json(found))
+        sys.stdout.write(to_json(for_page(to_plain(found))))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
         known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
         plain = {"message": str(known), "what": known.what, "where": known.where, "hint": known.hint or None}
-        sys.stdout.write(to_json({"error": plain}))
+        sys.stdout.write(to_json({"error": with_german(plain)}))
         return 2
     return 0
 

@@ -25,6 +25,7 @@ export interface FormProblem {
   path: string;
   line: number;
   text: string;
+  german: string | null;
 }
 
 export interface Form {

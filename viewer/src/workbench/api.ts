@@ -3,7 +3,7 @@
 import { lasting } from "../browser";
 import { tr } from "../words";
 import type * as answers from "./answers";
-import { type Finding, Refused, told as refused } from "./refusals";
+import { type Finding, inLanguage, learnt, Refused } from "./refusals";
 
 export type { FormProblem, Text, Version } from "./answers";
 
@@ -97,19 +97,20 @@ async function sent(path: string, given: RequestInit): Promise<Response> {
       tr("This session is no longer valid: open the address that jounce serve printed."),
     );
   const refusal = (await answer.json().catch(() => null)) as {
-    error?: { text: string };
+    error?: { text: string; german?: string | null };
     detail?: { msg: string; loc: string[] }[];
   } | null;
   throw new Refused(
     refusal?.error?.text ??
       refusal?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ??
       answer.statusText,
+    refusal?.error?.german,
   );
 }
 
 export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
 export const get = async <T>(path: string): Promise<T> =>
-  (await asked("GET", path)).json() as Promise<T>;
+  learnt((await (await asked("GET", path)).json()) as T);
 
 export const project = () => get<Project>("/api/project");
 let place: Promise<string> | null = null;
@@ -129,10 +130,13 @@ export const check = async (path: string): Promise<Checked> => {
   const found = await get<{
     kind: string;
     what: string;
-    problems: string[];
+    problems: { text: string; german: string | null }[];
     notes: Checked["notes"];
   }>(`/api/check?${query({ path })}`);
-  return { ...found, problems: found.problems.map((one) => new Refused(one)) };
+  return {
+    ...found,
+    problems: found.problems.map(({ text, german }) => new Refused(text, german)),
+  };
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) =>
@@ -159,7 +163,10 @@ export const form = async (
   const found = (await (
     await asked("POST", "/api/form", { path, text, sets, changes })
   ).json()) as Form;
-  return { ...found, problems: found.problems.map((one) => ({ ...one, text: refused(one.text) })) };
+  return {
+    ...found,
+    problems: found.problems.map((one) => ({ ...one, text: inLanguage(one.text, one.german) })),
+  };
 };
 export const binary = async (path: string, body: unknown) =>
   (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();

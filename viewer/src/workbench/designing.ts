@@ -27,6 +27,7 @@ interface Found {
   lasted: number | null;
   report: string;
   error: string | null;
+  german: string | null;
   result: unknown;
 }
 
@@ -165,7 +166,9 @@ export function designing(
       if (!["running", "cancelling"].includes(found.state)) {
         out.replaceChildren(
           problem(
-            found.error ? new Refused(found.error) : new Error(tr("The search was stopped.")),
+            found.error
+              ? new Refused(found.error, found.german)
+              : new Error(tr("The search was stopped.")),
           ),
         );
         return;

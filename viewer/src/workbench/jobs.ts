@@ -4,7 +4,7 @@ import { make, whenLeft, written } from "../page";
 import { heard, isGerman, tr } from "../words";
 import { asked, get, token, upload } from "./api";
 import { InTurn, problem, snippets } from "./parts";
-import { Refused } from "./refusals";
+import { type Finding, learnt, Refused } from "./refusals";
 
 export interface Step {
   evaluation: number;
@@ -30,6 +30,7 @@ export interface Job {
   left: number | null;
   steps: Step[];
   error: string | null;
+  german: string | null;
   code?: number;
 }
 export interface Whole<T = unknown> extends Job {
@@ -46,7 +47,7 @@ export interface Reply<T> {
 }
 
 const send = async <T>(method: string, path: string, body?: unknown): Promise<T> =>
-  (await asked(method, path, body)).json() as Promise<T>;
+  learnt((await (await asked(method, path, body)).json()) as T);
 export const begin = (task: object) => send<Job>("POST", "/api/jobs", task);
 export const ask = <T>(task: object) => send<Reply<T>>("POST", "/api/ask", task);
 export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComponent(id)}`);
@@ -182,7 +183,9 @@ export class JobCard {
     this.tick();
     if (this.shown === job.state) return;
     this.shown = job.state;
-    this.status.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
+    this.status.replaceChildren(
+      ...(job.error ? [problem(new Refused(job.error, job.german))] : []),
+    );
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
       const button = make(
         "button",
@@ -296,11 +299,10 @@ export function jobList(
 
 /** Problems of a command that succeeded but could not write or draw everything. */
 export function failures(result: unknown): HTMLElement[] {
-  const findings =
-    (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
+  const findings = (result as { findings?: Finding[] } | null)?.findings ?? [];
   return findings
     .filter((one) => one.severity === "problem")
-    .map((one) => problem(new Refused(one.message)));
+    .map((one) => problem(new Refused(one.message, one.german)));
 }
 
 /** A report in a frame of its own, where its script can ask nothing; German pages say which is English. */

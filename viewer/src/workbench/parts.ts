@@ -45,7 +45,7 @@ export function problem(error: unknown): HTMLElement {
     "p",
     { class: "problem", role: "alert" },
     error instanceof Refused
-      ? asSaid(error.said)
+      ? asSaid(error.english, error.german)
       : error instanceof Error
         ? error.message
         : String(error),

@@ -203,8 +203,7 @@ class _Subsystem:
 
     def _of_points(self, model: str, strut: dict[str, Any], radius: float | None) -> dict[str, Any]:
         """Table of a rig for kinematics alone: without a strut nothing carries the car."""
-        text = "no strut is in it, so the rig is for kinematics alone: masses, springs and dampers are left out."
-        self.draft.note(self.draft.at("HARDPOINT"), text)
+        self.draft.note("parts.import_kinematics_only", self.draft.at("HARDPOINT"))
         if radius is None:
             self.draft.estimated.append("wheel.radius")
             radius = WHEEL_RADIUS
@@ -277,7 +276,7 @@ class _Subsystem:
                 body if before is None else joined(before, body["mass"], body["centre_of_mass"], tensor_of(body))
             )
         if left:
-            self.draft.note(self.draft.at("PART_ASSEMBLY"), f"parts that are left out: {', '.join(left)}.")
+            self.draft.note("parts.import_parts_left_out", self.draft.at("PART_ASSEMBLY"), names=", ".join(left))
         return found
 
     def _body(self, name: str, part: Block) -> dict[str, Any]:
@@ -302,9 +301,8 @@ class _Subsystem:
             raise DescriptionError("no mass", where=f"{part.where}: MASS", found=mass, allowed="above 0")
         has_inertia = any(key in part.values for key in ("IXX", "IYY", "IZZ"))
         if place is None or z is None or x is None or not has_inertia:
-            lacking = "where its frame lies is" if has_inertia else "IXX, IYY and IZZ are"
-            text = f"{lacking} not in the file: its inertia and centre of mass are estimated."
-            self.draft.note(self.draft.at(f"PART_ASSEMBLY {part.usage}"), text)
+            code = "parts.import_frame_unknown" if has_inertia else "parts.import_inertia_unknown"
+            self.draft.note(code, self.draft.at(f"PART_ASSEMBLY {part.usage}"))
             return self._estimated(name, mass)
         frame = _frame(x, z, part.where)
         centre = self.length * (place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"])
@@ -314,11 +312,8 @@ class _Subsystem:
         tensor = turned @ tensor @ turned.T
         moments, axes = np.linalg.eigh(tensor)
         if moments[0] <= 0.0 or moments[2] > moments[0] + moments[1]:
-            self.draft.note(
-                self.draft.at(f"PART_ASSEMBLY {part.usage}"),
-                f"no body has the principal moments {', '.join(f'{one:.4g}' for one in moments)} kg m^2: they are "
-                "raised to the least that a body can have.",
-            )
+            usage = self.draft.at(f"PART_ASSEMBLY {part.usage}")
+            self.draft.note("parts.import_moments_raised", usage, moments=moments.tolist())
             self.draft.estimated.append(f"bodies.{name}.inertia")
             low = max(moments[0], 1e-3 * max(moments[2], 1e-6))
             middle = max(moments[1], moments[2] - low, low)
@@ -336,7 +331,7 @@ class _Subsystem:
         if mass is None:
             mass = _MASSES.get(name, 1.0)
             self.draft.estimated.append(f"bodies.{name}.mass")
-            self.draft.note(self.draft.at(f"bodies.{name}"), f"it is not in the file: {mass:g} kg assumed.", mass)
+            self.draft.note("parts.import_mass_assumed", self.draft.at(f"bodies.{name}"), mass, mass=mass)
         return as_table(mass, centre, 0.4 * mass * size**2 * np.eye(3))
 
     # --- springs, dampers and stops
@@ -361,11 +356,11 @@ class _Subsystem:
                 return place
         return None
 
-    def _missing(self, what: str, block: Block | None, text: str) -> None:
-        named = "" if block is None else f" ({block.values.get('PROPERTY_FILE', 'no property file')})"
-        self.draft.findings.append(
-            Finding(self.draft.at(what), "warning", f"its property file is not there{named}: {text}")
-        )
+    def _missing(self, what: str, block: Block | None, assumed: str, **numbers: float) -> None:
+        named = "" if block is None else block.values.get("PROPERTY_FILE", "")
+        code = "parts.import_no_property_file" if not named else "parts.import_property_file_missing"
+        instead = finding(assumed, self.draft.at(what), **numbers)
+        self.draft.note(code, self.draft.at(what), name=named, assumed=instead)
 
     def _design_length(self, element: str) -> float:
         ends = [self.points.get(f"{element}_{end}", self.points[f"strut_{end}"]) for end in ("bottom", "top")]
@@ -375,7 +370,7 @@ class _Subsystem:
         block = self._element("NSPRING_ASSEMBLY", "ride", "spring", "")
         file = self._property(block)
         if block is None or file is None:
-            self._missing("strut.spring", block, f"{1e-3 * _SPRING_RATE:g} N/mm that carry {SPRUNG_MASS:g} kg assumed.")
+            self._missing("strut.spring", block, "parts.import_spring_assumed", rate=_SPRING_RATE, mass=SPRUNG_MASS)
             self.draft.estimated += ["strut.spring.rate", "strut.spring.preload"]
             return {"rate": _SPRING_RATE, "preload": SPRUNG_MASS * 9.81}
         free, deflection, force = _spring_file(file)
@@ -386,7 +381,7 @@ class _Subsystem:
         elif kind == "preload" and value is not None:
             compressed = float(np.interp(self.force * number(value, block.where), force, deflection))
         else:
-            self.draft.note(self.draft.at("strut.spring"), "neither installed length nor preload: free at design.")
+            self.draft.note("parts.import_spring_free", self.draft.at("strut.spring"))
         table: dict[str, Any] = {"free_length": self._design_length("spring") + compressed}
         rate = float(deflection @ force / (deflection @ deflection))
         if np.abs(force - rate * deflection).max() <= _LINEAR * np.abs(force).max():
@@ -397,7 +392,7 @@ class _Subsystem:
         block = self._element("DAMPER_ASSEMBLY", "ride", "damper", "")
         file = self._property(block)
         if file is None:
-            self._missing("strut.damper", block, f"{_DAMPING:g} N s/m assumed.")
+            self._missing("strut.damper", block, "parts.import_damper_assumed", coefficient=_DAMPING)
             self.draft.estimated.append("strut.damper.coefficient")
             return {"coefficient": _DAMPING}
         found = read_teim_orbit(file)
@@ -413,7 +408,7 @@ class _Subsystem:
                 continue
             file = self._property(block)
             if file is None:
-                self._missing(f"strut.{stop}", block, "there is none in the rig.")
+                self._missing(f"strut.{stop}", block, "parts.import_no_stop")
                 continue
             found = read_teim_orbit(file)
             depth, force = found.first("CURVE").curve(found.unit("LENGTH"), found.unit("FORCE"))
@@ -423,11 +418,7 @@ class _Subsystem:
                 sign = 1.0 if stop == "bump_stop" else -1.0
                 gap = sign * (self._design_length("damper") - gap)
             stops[stop] = {"gap": gap, **law}
-            self.draft.note(
-                self.draft.at(f"strut.{stop}"),
-                f"its curve is read as rate and progression, within {100 * worst:.2g} % of its largest force.",
-                worst,
-            )
+            self.draft.note("parts.import_stop_fitted", self.draft.at(f"strut.{stop}"), worst, worst=worst)
         return stops
 
     def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
@@ -442,15 +433,12 @@ class _Subsystem:
             self._used.add(block.where)
             scales = [block.number(f"{axis}_SCALING_FACTOR", 1.0) for axis in _SIX]
             found[point], worst = _bushing_file(file, scales)
-            self.draft.note(
-                self.draft.at(f"bushings.{point}"),
-                "its axes are taken for those of the car, since the template has them; its stiffness is that at no "
-                f"load, from which its curves differ by up to {100 * worst:.2g} % of their largest value.",
-                worst,
-            )
+            self.draft.note("parts.import_bushing", self.draft.at(f"bushings.{point}"), worst, worst=worst)
             loads = [key for key in block.values if "PRELOAD" in key and block.number(key) != 0.0]
             if loads:
-                self.draft.note(self.draft.at(f"bushings.{point}"), f"left out: {', '.join(loads)}.")
+                self.draft.note(
+                    "parts.import_loads_left_out", self.draft.at(f"bushings.{point}"), names=", ".join(loads)
+                )
         return found
 
     def _note_rest(self) -> None:
@@ -468,7 +456,7 @@ class _Subsystem:
             and block.where not in self._used
         ]
         if rest:
-            self.draft.note(self.draft.at("forces"), f"force elements that are left out: {', '.join(rest)}.")
+            self.draft.note("parts.import_forces_left_out", self.draft.at("forces"), names=", ".join(rest))
 
 
 def _frame(x: Array, z: Array, where: str) -> Array:

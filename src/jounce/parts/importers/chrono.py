@@ -239,12 +239,7 @@ def _five_link(reading: ChronoReading) -> dict[str, Any]:
     ends = points["link_1_inner"], points["link_2_inner"]
     lever = distance_to_line(points["link_1_outer"], *ends)
     share = about_axis(arm, *ends) / lever**2
-    reading.note(
-        file.at("Upper Arm"),
-        f"the upper arm becomes links 1 and 2 without mass; {share:.4g} kg of its {arm['mass']:.4g} kg (inertia "
-        "about its axis over its length squared) move with the upright at their common point.",
-        share,
-    )
+    reading.note("parts.import_arm_as_links", file.at("Upper Arm"), share, share=share, mass=arm["mass"])
     bodies = {"upright": joined(upright, share, points["link_1_outer"], np.zeros((3, 3))), **links}
     reading.add_tie_rod(bodies, "link_5")
     return _head(reading, "five-link", bodies, "link_4")
@@ -347,13 +342,9 @@ def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
         for stop, gap in (("bump_stop", design - shortest), ("rebound_stop", longest - design)):
             table["strut"][stop] = {"gap": gap, **law}
             reading.estimated += [f"strut.{stop}.{key}" for key in law]
-        reading.note(
-            place,
-            "stops act from the spring's shortest and longest length on, with the law that Chrono gives every vehicle: "
-            "100 N/mm and rising.",
-        )
+        reading.note("parts.import_stops_of_chrono", place)
     if file.has("Shock", "Degressivity Compression"):
-        reading.note(file.at("Shock"), "the degressive damper is read as a table that follows it to 3 m/s.")
+        reading.note("parts.import_degressive_table", file.at("Shock"))
 
 
 def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]) -> None:
@@ -366,17 +357,10 @@ def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]
     reading.findings += [finding("parts.import_no_bushings", file.at(section, "Bushing Data")) for section in bushed]
     links = [section for section in file.table if file.has(section, "Universal Joint Axis Link")]
     if links:
-        message = "the axes of the universal joints are not read: links do not turn about themselves."
-        reading.note(file.at(links[0]), message)
+        reading.note("parts.import_joint_axes", file.at(links[0]))
     if file.table.get("Vehicle-Frame Inertia") is True:
-        frames = "inertias are taken in vehicle axes, as the file says (Vehicle-Frame Inertia)."
+        frames = "parts.import_vehicle_axes"
     else:
-        frames = (
-            "inertias are taken in each body's own axes, as Chrono does: of arms x along the axis and z normal to the "
-            "arm, of links z along the link, of all other bodies those of the vehicle."
-        )
-    reading.note(file.at("Vehicle-Frame Inertia"), frames)
-    reading.note(
-        file.at("Spindle"),
-        "rim and tyre are in other files; their mass is added to the spindle, with the inertia of a common wheel.",
-    )
+        frames = "parts.import_own_axes"
+    reading.note(frames, file.at("Vehicle-Frame Inertia"))
+    reading.note("parts.import_rim_and_tyre", file.at("Spindle"))

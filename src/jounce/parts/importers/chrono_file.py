@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.description import description_text, is_nested_deeply
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError, at_line, nearest
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import LARGEST
@@ -189,7 +189,7 @@ def read_json(path: Path) -> dict[str, Any]:
     try:
         table = json.loads(blank)
     except json.JSONDecodeError as error:
-        raise DescriptionError(f"not valid JSON: {error.msg}", where=f"{path}, line {error.lineno}") from None
+        raise DescriptionError(f"not valid JSON: {error.msg}", where=at_line(path, error.lineno)) from None
     except (RecursionError, ValueError):
         what = "not valid JSON: nested too deeply, or an integer of thousands of digits"
         raise DescriptionError(what, where=str(path)) from None

@@ -9,7 +9,7 @@ from typing import Any, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.parts.bodies import INERTIA_ELEMENTS
 from jounce.parts.corners import Corner
@@ -28,9 +28,9 @@ class Draft:
     findings: list[Finding] = field(default_factory=list)
     estimated: list[str] = field(default_factory=list)
 
-    def note(self, place: str, message: str, value: float | None = None) -> None:
-        """Add a note about a place."""
-        self.findings.append(Finding(place, "note", message, value))
+    def note(self, code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
+        """Add a finding about a place, of a row of the catalogue."""
+        self.findings.append(finding(code, place, value, **numbers))
 
     def at(self, *keys: str) -> str:
         """Place of a value, for messages."""
@@ -114,13 +114,10 @@ def _carried(draft: Draft, rig: Corner) -> float:
             "the joints do not let the wheel rise, or not in one way only", where=str(draft.path)
         ) from None
     if mass > 20.0:
-        message = f"the sprung mass is not in the file; {mass:.4g} kg is what the spring carries at design position."
+        draft.note("parts.import_mass_carried", draft.at("sprung mass"), mass, mass=mass)
     else:
-        message = (
-            f"the sprung mass is not in the file, and the spring carries nothing at design: {SPRUNG_MASS:g} kg assumed."
-        )
         mass = SPRUNG_MASS
-    draft.note(draft.at("sprung mass"), message, mass)
+        draft.note("parts.import_carries_nothing", draft.at("sprung mass"), mass, mass=mass)
     return float(f"{mass:.6g}")
 
 

@@ -11,9 +11,9 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, unknown
+from jounce.core.errors import DescriptionError, at_line, unknown
 from jounce.core.files import content_of, existing_file
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, at_place, finding
 from jounce.core.optional import MissingPackageError
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
@@ -232,7 +232,7 @@ def _text(file: Path) -> str:
 def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
     for number, line in enumerate(_text(file).splitlines(), 1):
         if len(line) > LONGEST_LINE:
-            where, allowed = f"{file}, line {number}", f"up to {LONGEST_LINE} characters"
+            where, allowed = at_line(file, number), f"up to {LONGEST_LINE} characters"
             raise DescriptionError("a line is too long for a point", where=where, found=f"{len(line)}", allowed=allowed)
         bare = line.strip()
         if bare.startswith("#"):  # a comment, unless it names columns or the unit
@@ -240,7 +240,7 @@ def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
             if _header(_cells(bare)) is None and not _UNIT_LINE.fullmatch(" ".join(_cells(bare)).strip()):
                 continue
         if bare and not bare.startswith(("//", "%", "!", "$")):
-            yield f"{file}, line {number}", _cells(bare)
+            yield at_line(file, number), _cells(bare)
 
 
 def _cells(line: str) -> list[str]:
@@ -420,9 +420,9 @@ class PointReading:
         self.radius = table.radius.get(axle or "", next(iter(table.radius.values()), None))
         self.points = self._chosen(side, axle, names)
 
-    def note(self, message: str, value: float | None = None, severity: Literal["note", "warning"] = "note") -> None:
-        """Add to the findings."""
-        self.findings.append(Finding(str(self.file), severity, message, value))
+    def note(self, code: str, value: float | None = None, /, **numbers: Any) -> None:
+        """Add a finding, of a row of the catalogue."""
+        self.findings.append(finding(code, str(self.file), value, **numbers))
 
     def _chosen(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
         """Points of the wanted corner by our names."""
@@ -455,9 +455,8 @@ class PointReading:
         if has_both:
             self._both = corners
         if unused:
-            self.note(f"names that say nothing here, whose points are left out: {', '.join(unused[:30])}. {_ADVICE}")
-        for text in self.table.notes:
-            self.note(text)
+            self.note("parts.import_names_unknown", names=", ".join(unused[:30]))
+        self.findings += [at_place(str(self.file), item) for item in self.table.notes]
         self.estimated += self.table.estimated
         for where, cells in self.table.unread:
             meant = next(
@@ -470,7 +469,7 @@ class PointReading:
                 )
         if self.table.unread:
             first = self.table.unread[0][0]
-            self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {first}.")
+            self.note("parts.import_lines_unread", count=len(self.table.unread), first=first)
         chosen = {name: row.place for name, row in corners[side].items()}
         self.contact, self.axle_end = chosen.pop("contact", None), chosen.pop(AXLE_END, None)
         return chosen
@@ -574,7 +573,7 @@ class PointReading:
         for end in ("bottom", "top"):
             if f"strut_{end}" not in self.points and f"spring_{end}" in self.points:
                 self.points[f"strut_{end}"] = self.points.pop(f"spring_{end}")
-                self.note(f"strut_{end} is not in the table: the spring's end is taken for it.")
+                self.note("parts.import_end_of_spring", name=f"strut_{end}")
         missing = _missing(model, self.points)
         if missing:
             raise DescriptionError(
@@ -586,10 +585,10 @@ class PointReading:
             )
         further = [name for name in self.points if name not in points.model_fields]
         if further:
-            self.note(f"points that a {model} does not have are left out: {', '.join(further)}.")
+            self.note("parts.import_points_left_out", model=model, names=", ".join(further))
             self.points = {name: point for name, point in self.points.items() if name not in further}
         if "strut_bottom" not in self.points:
-            self.note("no strut is in the table: motion ratios and wheel rates need strut_bottom and strut_top.")
+            self.note("parts.import_no_strut")
 
     def turn(self, axes: str | None) -> None:
         """Our axes from those of the table."""
@@ -598,7 +597,7 @@ class PointReading:
         if axes is not None:
             self._map(turn)
         elif self._is_backward():
-            self.note("x runs to the rear in the table (the arm's front lies behind its rear): it is turned round.")
+            self.note("parts.import_turned_round")
             self._map(np.diag([-1.0, 1.0, 1.0]))
         if self._is_backward():
             raise DescriptionError(
@@ -610,7 +609,7 @@ class PointReading:
                 hint='Turn x round: --axes "-x,y,z".',
             )
         if self.points["wheel_centre"][1] < 0.0:
-            self.note("the points are on the right (y below 0): they are mirrored, and the rig is the left corner.")
+            self.note("parts.import_mirrored")
             self._map(np.diag([1.0, -1.0, 1.0]))
 
     def _is_backward(self) -> bool:
@@ -642,7 +641,7 @@ class PointReading:
         if unit is not None:
             conversion_factor(unit, "m", where="unit")
             if said and conversion_factor(said, "m") != conversion_factor(unit, "m"):
-                self.note(f"the file says {said}; read in {unit} as told.", severity="warning")
+                self.note("parts.import_other_unit", said=said, unit=unit)
         half = abs(float(self.points["wheel_centre"][1]))
         low, high = _HALF_TRACK
         chosen = unit or said
@@ -657,7 +656,7 @@ class PointReading:
                     hint=f"It may be in {' or '.join(meant)}." if meant else "",
                 )
             chosen = meant[0]
-            self.note(f"the file names no unit: {chosen}, by the wheel centre {half:g} from the middle of the car.")
+            self.note("parts.import_unit_guessed", unit=chosen, half=half)
         factor = conversion_factor(chosen, "m", where="unit")
         if not low <= half * factor <= high:
             raise DescriptionError(
@@ -681,15 +680,12 @@ class PointReading:
             height -= float(self.contact[2])
             radius = height if wheel_radius is None else wheel_radius
             if abs(self.contact[2]) > 1e-6:
-                self.note(f"the road is at the contact point, {1e3 * self.contact[2]:.4g} mm in the table.")
+                self.note("parts.import_road_at_contact", height=float(self.contact[2]))
             self._raise(-float(self.contact[2]))
         elif wheel_radius is not None:
             radius = wheel_radius
             if not 0.75 * radius <= height <= 1.02 * radius:
-                self.note(
-                    f"the wheel centre is {1e3 * height:.4g} mm high in the table: all points are moved, so that it is "
-                    "one radius above the road."
-                )
+                self.note("parts.import_moved_up", height=height)
                 self._raise(radius - height)
                 height = radius
         else:
@@ -704,7 +700,7 @@ class PointReading:
             )
         if wheel_radius is None:
             self.estimated.append("wheel.radius")
-            self.note(f"the wheel's radius is taken for {1e3 * radius:.4g} mm, the height of its centre.", radius)
+            self.note("parts.import_radius_taken", radius, radius=radius)
         return round(radius, 9)
 
     def _raise(self, height: float) -> None:
@@ -723,7 +719,7 @@ class PointReading:
             return {}
         reach = {arm: self._reach(arm, end) for arm in ("lower", "upper")}
         arm = min(reach, key=lambda name: reach[name])
-        self.note(f"{end} is taken to be on the {arm} arm, which is the nearer one (strut.{key}).")
+        self.note("parts.import_on_lower_arm" if arm == "lower" else "parts.import_on_upper_arm", end=end, key=key)
         self.estimated.append(f"strut.{key}")
         return {key: f"{arm}_arm"} | rocker
 

@@ -336,9 +336,8 @@ class _Tree:
         for name, place in self._by_structure():
             if name not in own:
                 table.rows.append(PointRow(name, place, f"{self.file}: structure"))
-                table.notes.append(
-                    f"{name} follows from the structure: {', '.join(f'{1e3 * x:.4g}' for x in place)} mm."
-                )
+                told = finding("parts.import_from_structure", str(self.file), name=name, place=place.tolist())
+                table.notes.append(told)
         return table
 
     def _by_structure(self) -> Iterator[tuple[str, Array]]:
@@ -454,8 +453,7 @@ class _Tree:
         if needed or spring is None or not rig.has_strut:
             strut = [] if rig.has_strut else ["strut_bottom", "strut_top"]
             lacking = [*needed, *([] if spring is not None else ["a spring"]), *strut]
-            text = f"not in the file under our names, so the rig is for kinematics alone: {', '.join(lacking)}."
-            self.draft.note(self.draft.at("bodies"), text)
+            self.draft.note("parts.import_lacks", self.draft.at("bodies"), names=", ".join(lacking))
             return None
         flip = np.diag([_sign(before, after, axis) for axis in range(2)] + [1.0])
         up = after["wheel_centre"] - flip @ before["wheel_centre"]
@@ -468,7 +466,7 @@ class _Tree:
             name for name in masses if name not in bodies and name != "sprung" and self.bodies[name].parent != "world"
         ]
         if left:
-            self.draft.note(self.draft.at("bodies"), f"bodies that are left out: {', '.join(left)}.")
+            self.draft.note("parts.import_bodies_left_out", self.draft.at("bodies"), names=", ".join(left))
         chassis = masses.get("sprung") or next(
             (m for n, m in masses.items() if self.bodies[n].parent == "world" and n not in bodies), None
         )
@@ -476,11 +474,11 @@ class _Tree:
             sprung_mass = SPRUNG_MASS if chassis is None else float(chassis["mass"])
             if chassis is None:
                 self.draft.estimated.append("sprung.mass")
-                self.draft.note(self.draft.at("sprung.mass"), f"it is not in the file: {SPRUNG_MASS:g} kg assumed.")
+                self.draft.note("parts.import_mass_assumed", self.draft.at("sprung.mass"), mass=SPRUNG_MASS)
         if tyre is None:
             tyre = {"stiffness": TYRE_STIFFNESS}
             self.draft.estimated.append("tyre.stiffness")
-            self.draft.note(self.draft.at("tyre"), "it is not in the file: 250 N/mm assumed.")
+            self.draft.note("parts.import_tyre_assumed", self.draft.at("tyre"), rate=TYRE_STIFFNESS)
         return {"guide": "vertical", "bodies": bodies, "strut": spring, "tyre": tyre, "sprung": {"mass": sprung_mass}}
 
     def _spring(self) -> dict[str, Any] | None:
@@ -501,7 +499,7 @@ class _Tree:
             elif rate > 0.0 and spring is None:
                 spring = {"rate": rate, "free_length": lengths[0] if lengths[0] > 0.0 else length}
             elif rate > 0.0:
-                self.draft.note(self.draft.at(name), "a further spring, which is left out.")
+                self.draft.note("parts.import_further_spring", self.draft.at(name))
             damping += dampings[0]
             friction += losses[0]
         if spring is None:

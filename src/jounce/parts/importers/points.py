@@ -14,6 +14,7 @@ import numpy as np
 
 from jounce.core.description import is_nested_deeply
 from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 
 _DEEPEST = 20  # levels of keys
@@ -55,7 +56,7 @@ class PointTable:
     unread: list[tuple[str, list[str]]] = field(default_factory=list)  # where, and the cells of the line
     radius: dict[str, float] = field(default_factory=dict)
     carrier: str = ""
-    notes: list[str] = field(default_factory=list)
+    notes: list[Finding] = field(default_factory=list)
     estimated: list[str] = field(default_factory=list)
 
 
@@ -241,10 +242,7 @@ def from_vsusp(file: Path, text: str) -> PointTable | None:
     table = PointTable(file, unit="m")
     for axle, block in blocks.items():
         _add_front_view(table, axle, block)
-    table.notes.append(
-        "VSUSP draws a front view: how far apart the pivots of an arm are along the car and the tie rod (it steers "
-        "nowhere) are estimated."
-    )
+    table.notes.append(finding("parts.import_front_view", str(file)))
     return table
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, at_line
 from jounce.core.files import content_of, existing_file
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
@@ -127,7 +127,7 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
         raise DescriptionError("not a text file", where=str(file), allowed="a file of Adams, as text")
     blocks: list[Block] = []
     for count, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
-        bare, where = line.strip(), f"{file}, line {count}"
+        bare, where = line.strip(), at_line(file, count)
         if bare.startswith(("$", "!")):
             if blocks:
                 blocks[-1].comments.append(bare.lstrip("$! "))

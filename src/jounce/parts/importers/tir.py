@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError, at_line, below, nearest
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
@@ -336,7 +336,7 @@ class _Entries:
         if key in self.values and self.values[key][0] != text:
             raise DescriptionError(
                 f"{key[1]} is given twice in [{key[0]}]",
-                where=f"{self.file}, line {line}",
+                where=at_line(self.file, line),
                 found=f"{self.values[key][0]} and {text}",
             )
         self.values.setdefault(key, (text, line))
@@ -355,7 +355,7 @@ class _Entries:
         if unit is None:
             raise DescriptionError(
                 f"unknown unit of {quantity}",
-                where=f"{self.file}, line {found[1]}",
+                where=at_line(self.file, found[1]),
                 found=found[0],
                 allowed=", ".join(words.split()[0] for words in UNITS[quantity]),
                 hint=nearest(found[0].lower(), known),
@@ -376,10 +376,10 @@ class _Entries:
         for section in sections:
             if (section, key) in self.values:
                 text, line = self.values[section, key]
-                value = _number(text, f"{self.file}, line {line}: {key}")
+                value = _number(text, below(at_line(self.file, line), key))
                 word, bound = ("above", above) if above is not None else ("at least", at_least)
                 if bound is not None and (value < bound or (value == bound and above is not None)):
-                    where = f"{self.file}, line {line}: {key}"
+                    where = below(at_line(self.file, line), key)
                     raise DescriptionError("out of range", where=where, found=text, allowed=f"{word} {bound:g}")
                 return value * unit
         if needed:
@@ -407,7 +407,7 @@ class _Entries:
         """Deflections (m) and loads (N) of a table, which must ascend."""
         pairs = []
         for cells, line in self.rows.get(section, []):
-            where = f"{self.file}, line {line}: [{section}]"
+            where = below(at_line(self.file, line), f"[{section}]")
             if len(cells) != 2:
                 raise DescriptionError("not a pair of numbers", where=where, found=" ".join(cells))
             pairs.append((_number(cells[0], where) * length, _number(cells[1], where) * force))

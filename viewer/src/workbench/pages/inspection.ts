@@ -57,7 +57,7 @@ const TONES: Record<string, string> = {
 };
 /** Reasons of a verdict in the language of the page. */
 const reasonsOf = (about?: Reasoned): (Node | string)[] =>
-  (isGerman && about?.german?.reasons) || (about?.reasons ?? []).map(asSaid);
+  (isGerman && about?.german?.reasons) || (about?.reasons ?? []).map((text) => asSaid(text));
 const mark = (verdict: string) =>
   make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
 

@@ -1,0 +1,129 @@
+"""Phrases: parts of messages with their German, which is looked up by the English and never made from a sentence.
+
+English stands in the code. Its German stands beside it, in the ``phrases.toml`` of the package: one row for each
+template, ``"unknown {kind} {name}" = "{kind} {name} ist nicht bekannt"``. What is filled in is translated where it is a
+phrase itself; names of the user's are not. A message without German is shown in English, and marked as such.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+_PACKAGES = Path(__file__).parent.parent
+
+
+class Phrase(str):
+    """A text that keeps the template and the fields that it was made of.
+
+    The template is English, with fields in braces as of `str.format`; it is the key of the German. Fields are given by
+    their names: numbers, texts, other phrases. A text without fields may have any braces.
+
+    Examples
+    --------
+    >>> text = Phrase("unknown {kind} {name}", kind=Phrase("road"), name="'bumb'")
+    >>> print(text, text.german(), sep="; ")
+    unknown road 'bumb'; Straße 'bumb' ist nicht bekannt
+    """
+
+    __slots__ = ("_fields", "_template")
+    _template: str
+    _fields: dict[str, Any]
+
+    def __new__(cls, template: str, /, **fields: Any) -> Phrase:
+        """Fill the template."""
+        phrase = super().__new__(cls, template.format(**fields) if fields else template)
+        phrase._template, phrase._fields = template, fields
+        return phrase
+
+    def __str__(self) -> str:
+        """The phrase itself, so that ``str(error)`` keeps its German."""
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _phrase, (self._template, self._fields)
+
+    def german(self) -> str | None:
+        """The same in German; None where no row has its template."""
+        template = _rows().get(self._template)
+        if template is None or not self._fields:
+            return template
+        return template.format(**{name: in_german(item) for name, item in self._fields.items()})
+
+
+class Phrases(Phrase):
+    """Several phrases in a row; German where one of them is.
+
+    Examples
+    --------
+    >>> Phrases("; ", [Phrase("out of range"), "x"]).german()
+    'außerhalb des Bereichs; x'
+    """
+
+    __slots__ = ("_items", "_mark")
+    _mark: str
+    _items: tuple[str, ...]
+
+    def __new__(cls, mark: str, items: Iterable[str], /) -> Phrases:
+        """Join the phrases with a mark between them."""
+        parts = tuple(items)
+        phrase = str.__new__(cls, mark.join(parts))
+        phrase._mark, phrase._items = mark, parts
+        return phrase
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Phrases, (self._mark, self._items)
+
+    def german(self) -> str | None:
+        """The same in German; None where none of them has German."""
+        if not any(isinstance(item, Phrase) and item.german() for item in self._items):
+            return None
+        return self._mark.join(map(in_german, self._items))
+
+
+class Translated(Phrase):
+    """A text whose German is known, as that of a message of another process."""
+
+    __slots__ = ("_german",)
+    _german: str | None
+
+    def __new__(cls, english: str, german: str | None, /) -> Translated:
+        """Keep both texts."""
+        phrase = str.__new__(cls, english)
+        phrase._german = german
+        return phrase
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Translated, (str.__str__(self), self._german)
+
+    def german(self) -> str | None:
+        """The German that was given."""
+        return self._german
+
+
+def german_of(text: str) -> str | None:
+    """German of a text; None where it has none.
+
+    >>> german_of("out of range"), german_of("front_left")
+    ('außerhalb des Bereichs', None)
+    """
+    return text.german() if isinstance(text, Phrase) else _rows().get(text)
+
+
+def in_german(part: Any) -> Any:
+    """German of a phrase; everything else as it is: numbers, names, and phrases without German."""
+    return (part.german() or part) if isinstance(part, Phrase) else part
+
+
+def _phrase(template: str, fields: dict[str, Any]) -> Phrase:
+    return Phrase(template, **fields)
+
+
+@cache
+def _rows() -> dict[str, str]:
+    """German by English of all packages."""
+    tables = (tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(_PACKAGES.glob("*/phrases.toml")))
+    return {english: german for table in tables for english, german in table.items()}
