@@ -706,11 +706,13 @@ class _System:
         square: dict[str, list[float]] = {name: [] for name in self.names}
         for (name, columns, residual, index), stated in zip(self.rows, self.stated, strict=True):
             left = residual - columns @ step[index]
-            white = noise_variance(left) if stated is None else stated**2
+            white = noise_variance(left)
+            known = white if stated is None else stated**2
             mean = float(np.mean(left**2))
-            noise[name].append(white)
+            # Less than the noise that is known is no reason to trust the model more: what is left may still be its own.
+            noise[name].append(max(white, known))
             square[name].append(mean)
-            energy[name].append(max(mean - white, 0.0) * len(left))
+            energy[name].append(max(mean - min(white, known), 0.0) * len(left))
         return tuple({name: max(float(np.mean(part[name])), 1e-300) for name in self.names}
                      for part in (noise, energy, square))  # type: ignore[return-value]  # fmt: skip
 

@@ -461,7 +461,7 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
 
 
 def _noise_level(channel: Channel, residual: Array) -> float:
-    return noise_variance(residual) if channel.noise is None else channel.noise**2
+    return max(noise_variance(residual), (channel.noise or 0.0) ** 2)
 
 
 def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]) -> dict[str, float]:
