@@ -423,7 +423,7 @@ class CommandLimits:
             if not math.isfinite(command):
                 found.append(math.nan)
                 continue
-            clipped = low if command < low else high if command > high else command
+            clipped = min(max(command, low), high)
             change = clipped - before
             found.append(before + step if change > step else before - step if change < -step else clipped)
         self.last = found

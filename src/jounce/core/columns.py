@@ -745,13 +745,16 @@ def _table(
     return [[row[position] for row in rows] for position in range(width)]
 
 
+def _mark_of(cell: str) -> str:
+    """Decimal mark of a number; empty without one, or for text."""
+    if _DECIMAL_COMMA.fullmatch(cell):
+        return ","
+    return "." if "." in cell and _is_number(cell) else ""
+
+
 def _decimal_mark(cells: list[str]) -> str:
-    """Decimal mark of a column of numbers; empty without one, or for text."""
-    commas = sum(_DECIMAL_COMMA.fullmatch(cell) is not None for cell in cells)
-    points = sum("." in cell and _is_number(cell) for cell in cells)
-    if commas and points:
-        return ",."
-    return "," if commas else "." if points else ""
+    """Decimal mark of a column of numbers, ``,.`` where it has both; empty without one, or for text."""
+    return "".join(sorted(set(map(_mark_of, cells))))
 
 
 def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path) -> RecordingError:
@@ -759,8 +762,7 @@ def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str],
     first: dict[str, str] = {}
     for head, cells in zip(heads, table, strict=True):
         for cell, line in zip(cells, lines, strict=True):
-            mark = "," if _DECIMAL_COMMA.fullmatch(cell) else "." if "." in cell and _is_number(cell) else ""
-            if mark:
+            if mark := _mark_of(cell):
                 first.setdefault(mark, f"{cell!r} (line {line}, column {head!r})")
     return RecordingError(
         "decimal commas and decimal points in one file",

@@ -18,6 +18,7 @@ from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
 from jounce.core.phrases import Phrase, Phrases
 from jounce.core.shown import Shown
+from jounce.core.text import qualify
 
 D = TypeVar("D", bound="Description")
 Whole = Annotated[int, Strict()]
@@ -325,7 +326,10 @@ def dotted(path: tuple[str | int, ...]) -> str:
     """Write a path as users do: ``trial[2].speed``."""
     text = ""
     for part in path:
-        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else str(part))
+        if isinstance(part, int):
+            text += f"[{part}]"
+        else:
+            text = qualify(text, part)
     return text
 
 

@@ -206,16 +206,16 @@ def with_uncertainty(criterion: Criterion, value: float, half: float | None, lan
 
 def range_words(criterion: Criterion, band: VerdictBand, language: Language = "en") -> str:
     """Say where a band lies: ``from 20 % to below 40 %``."""
-    kind, english = criterion.kind, language == "en"
+    kind, place = criterion.kind, 0 if language == "en" else 1
     parts = []
     if band.start > float("-inf"):
         before = next((one for one in criterion.bands if one.end_included and one.end == band.start), None)
         first = ("above", "über") if before is not None else ("from", "ab")
-        parts.append(f"{first[0 if english else 1]} {kind.limit_text(band.start, language)}")
+        parts.append(f"{first[place]} {kind.limit_text(band.start, language)}")
     if band.end < float("inf"):
         last = ("up to", "bis einschließlich") if band.end_included else ("below", "unter")
-        parts.append(f"{last[0 if english else 1]} {kind.limit_text(band.end, language)}")
-    return ", ".join(parts) if parts else ("any value" if english else "jeder Wert")
+        parts.append(f"{last[place]} {kind.limit_text(band.end, language)}")
+    return ", ".join(parts) or ("any value", "jeder Wert")[place]
 
 
 def verdict_words(verdict: str, language: Language = "en") -> str:

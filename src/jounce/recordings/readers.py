@@ -562,15 +562,14 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
         findings.append(finding("recordings.no_end", str(path)))
     sets = [data_set for data_set in functions if data_set["func_type"] == _TIME_RESPONSE]
     if not sets:
-        numbers = sorted({int(data_set["func_type"]) for data_set in functions})
+        there = f"data sets {', '.join(map(str, kinds))}" if kinds else "no whole data set"
+        if functions:
+            numbers = sorted({int(data_set["func_type"]) for data_set in functions})
+            there = f"data set 58 with functions of type {', '.join(map(str, numbers))}"
         raise RecordingError(
             "no time response",
             where=str(path),
-            found=f"data set 58 with functions of type {', '.join(map(str, numbers))}"
-            if functions
-            else f"data sets {', '.join(map(str, kinds))}"
-            if kinds
-            else "no whole data set",
+            found=there,
             allowed=f"data set 58 with functions of type {_TIME_RESPONSE} (time response)",
         )
     entities = [str(data_set["rsp_ent_name"]).strip() for data_set in sets]

@@ -165,7 +165,9 @@ def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
 def _wanted(target: TargetResult, factor: float) -> str:
     if target.limits:
         low, high = (None if end is None else number(end * factor) for end in target.wanted)
-        return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} to {high}"
+        if low is None:
+            return f"at most {high}"
+        return f"at least {low}" if high is None else f"{low} to {high}"
     return "0 from it" if target.has_curve else _span(target.wanted, factor)
 
 

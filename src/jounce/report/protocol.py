@@ -558,10 +558,12 @@ def _passing(criterion: Criterion | None, language: Language) -> str:
     first, last = criterion.bands[passing[0]], criterion.bands[passing[-1]]
     start = criterion.kind.limit_text(first.start, language) if passing[0] > 0 else ""
     end = criterion.kind.limit_text(last.end, language) if passing[-1] < len(criterion.bands) - 1 else ""
+    since, up_to, to = ("from", "up to", "to") if language == "en" else ("ab", "bis", "bis")
     if start and end:
-        return f"{start.removesuffix(criterion.kind.unit).strip()} {'to' if language == 'en' else 'bis'} {end}"
-    words = ("from", "up to") if language == "en" else ("ab", "bis")
-    return f"{words[0]} {start}" if start else f"{words[1]} {end}" if end else "–"
+        return f"{start.removesuffix(criterion.kind.unit).strip()} {to} {end}"
+    if start:
+        return f"{since} {start}"
+    return f"{up_to} {end}" if end else "–"
 
 
 def _places(graded: GradedInspection, side: str, language: Language) -> str:

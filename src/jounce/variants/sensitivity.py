@@ -138,7 +138,9 @@ def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> l
         for name, column in many.data_vars.items()
         if column.dims == ("variant",) and column.dtype.kind in "fi"
     ]
-    wanted = known if chosen is None else [chosen] if isinstance(chosen, str) else list(chosen)
+    if chosen is None:
+        chosen = known
+    wanted = [chosen] if isinstance(chosen, str) else list(chosen)
     for name in wanted:
         if name not in known:
             raise unknown(name, known, what="metric", where="metrics")

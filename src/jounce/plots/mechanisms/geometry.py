@@ -253,7 +253,10 @@ def _outside(axes: Axes, target: Array, axis: str, place: float) -> None:
     if left <= target[0] <= right and low <= target[1] <= high:
         return
     unit = display_unit("m")
-    arrow = "←" if target[0] < left else "→" if target[0] > right else "↑" if target[1] > high else "↓"
+    if not left <= target[0] <= right:
+        arrow = "←" if target[0] < left else "→"
+    else:
+        arrow = "↑" if target[1] > high else "↓"
     on_left = target[0] < 0.5 * (left + right)
     x, side = (0.01, "left") if on_left else (0.99, "right")
     text = f"{arrow} instant centre at {axis} = {number(place * unit.factor, 4)} {unit.name}"
