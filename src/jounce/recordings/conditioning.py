@@ -218,7 +218,7 @@ _AT_END = 1.0 - 1e-3
 """Share of a range from which on a sample counts as cut: converters end one step below it."""
 
 
-def range_of(name: str, sensor: Sensor) -> tuple[float, float] | None:
+def range_of(name: str, sensor: Sensor, *, where: str = "sensors") -> tuple[float, float] | None:
     """Least and greatest size (SI) that a channel can record; None where that is not stated.
 
     A range is given for the quantity (``"50 g"``) or for what is recorded (``"10 V"``).
@@ -227,19 +227,19 @@ def range_of(name: str, sensor: Sensor) -> tuple[float, float] | None:
     >>> range_of("sprung.az", Sensor(sensitivity="1 V/(m/s^2)", range="10 V"))
     (-10.0, 10.0)
     """
-    return _range(name, sensor.range, sensor.sensitivity, sensor.zero) if sensor.range else None
+    return _range(name, sensor.range, sensor.sensitivity, sensor.zero, f"{where}: {name}") if sensor.range else None
 
 
 @lru_cache(maxsize=256)  # a fit asks at every evaluation
-def _range(name: str, given: str, sensitivity: str | tuple[str, ...], zero: str) -> tuple[float, float]:
+def _range(name: str, given: str, sensitivity: str | tuple[str, ...], zero: str, where: str) -> tuple[float, float]:
     unit, text = channel_unit(name), given.lstrip("±").strip()
-    chain = sensitivity_of(sensitivity, unit, where=f"sensors: {name}") if sensitivity else None
+    chain = sensitivity_of(sensitivity, unit, where=where) if sensitivity else None
     if chain is not None and _has_unit(text, chain.recorded):
-        size = to_si(text, chain.recorded, where=f"sensors: {name}.range")
-        middle = to_si(zero, chain.recorded, where=f"sensors: {name}.zero") if zero else 0.0
+        size = to_si(text, chain.recorded, where=f"{where}.range")
+        middle = to_si(zero, chain.recorded, where=f"{where}.zero") if zero else 0.0
         ends = sorted(((-size - middle) / chain.factor, (size - middle) / chain.factor))
         return ends[0], ends[1]
-    size = to_si(text, unit, where=f"sensors: {name}.range")
+    size = to_si(text, unit, where=f"{where}.range")
     return -size, size
 
 

@@ -8,6 +8,9 @@ from typing import Any
 
 from jounce.core.description import check_schema, read_toml
 from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
+from jounce.recordings.conditioning import range_of, sensitivity_of
+from jounce.recordings.schema import channel_unit
 from jounce.recordings.sensors import Sensor, check_sensors
 
 _SCHEMAS = ("jounce.sensors/1", "jounce.campaign/1", "jounce.truth/1", "jounce.laboratory/1")
@@ -53,7 +56,18 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
         channel, keys = _measured(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
         sensors[channel] = Sensor.from_table(keys, where=str(path), text=text, path=(key, name))
     check_sensors(sensors, f"{path}: {key}")
+    for name, sensor in sensors.items():
+        _check_chain(name, sensor, f"{path}: {key}")
     return sensors
+
+
+def _check_chain(name: str, sensor: Sensor, where: str) -> None:
+    """Refuse a sensitivity, a zero and a range that cannot be meant, before a file is read with them."""
+    if sensor.sensitivity:
+        chain = sensitivity_of(sensor.sensitivity, channel_unit(name), where=f"{where}: {name}.sensitivity")
+        if sensor.zero:
+            to_si(sensor.zero, chain.recorded, where=f"{where}: {name}.zero")
+    range_of(name, sensor, where=where)
 
 
 def _measured(column: str, entry: Any, where: str) -> tuple[str, dict[str, Any]]:

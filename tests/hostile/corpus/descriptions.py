@@ -105,6 +105,24 @@ ch0 = {measures = "sprung.az", sensitivity = "100 mV/g", high_pass = "0.5 Hz"}
 ch1 = {measures = "unsprung.az", sensitivity = ["10 pC/(m/s^2)", "1 mV/pC"], orientation = -1}
 """
 
+_SENSORS = """schema = "jounce.sensors/1"
+[sensors."sprung.az"]
+column = "ch0"
+sensitivity = "100 mV/g"
+zero = "0.1 V"
+range = "5 V"
+high_pass = "0.5 Hz"
+low_pass = "250 Hz"
+noise = "0.05 m/s^2"
+orientation = -1
+[sensors."unsprung.az"]
+column = "ch1"
+sensitivity = ["10 pC/(m/s^2)", "1 mV/pC"]
+gain = 1.0
+bias = "0 m/s^2"
+datum = "rest"
+"""
+
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
     "rig in 3-D": Kind(_shipped(*_LIBRARY, "kart-double-wishbone.toml"), use="modes given.toml"),
@@ -126,6 +144,7 @@ KINDS = {
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
     "laboratory": Kind(lambda: _LABORATORY, use="campaign sheet given.toml"),
+    "sensors": Kind(lambda: _SENSORS, use="analyse statistics lane.csv --sensors given.toml"),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
     "optimisation": Kind(lambda: _OPTIMISATION),
