@@ -84,6 +84,10 @@ class SearchedStart:
         State to what it is for an amplitude of 1 m, SI.
     free : FreeParameter
         Start (0) and bounds, m.
+    unit : str
+        SI unit of the amplitude.
+    is_inverse : bool
+        Whether one over the value is searched: never.
     """
 
     name: str

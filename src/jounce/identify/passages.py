@@ -69,8 +69,8 @@ class Passages(Shown):
     repeatability : dict
         Channel to the r.m.s. scatter between loops over the r.m.s. of the average (1).
     noise : dict
-        Channel to the standard deviation of the noise of the average, in its unit: that of white noise as dense as the
-        differences between loops are at the frequencies of the signal.
+        Channel to the standard deviation of the noise of the average, in the unit of each channel: that of white noise
+        as dense as the differences between loops are at the frequencies of the signal.
     odd : tuple of int
         Passages (counted from 1) whose loop is unlike the others and was left out of the average.
     findings : tuple of Finding
