@@ -149,6 +149,7 @@ from .kinematics.axle_loads import load_axle as load_axle
 from .kinematics.clearance_study import study_clearances as study_clearances
 from .kinematics.steering_loads import sweep_steering_effort as sweep_steering_effort
 from .kinematics.swept import sweep_kinematics as sweep_kinematics
+from .operations.checks import check_files as check_files
 from .papers.audi_a6 import run_audi_a6 as run_audi_a6
 from .papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
 from .papers.virtual_bench import virtual_bench as virtual_bench

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from jounce.inspection.limits import shipped_limits
+from jounce.operations.index import operations
+from jounce.operations.request import Request
 from jounce.parts.testers import library as shipped_testers
 
 
@@ -274,3 +276,14 @@ def test_broken_laboratories(old: str, new: str, message: str, cli, laboratory: 
     outcome = cli("check", laboratory)
     assert outcome.exit_code == 2
     assert message in outcome.err
+
+
+def test_files_are_checked_by_python_as_by_the_command(cli, bump: Path, tmp_path: Path) -> None:
+    (tmp_path / "two.toml").write_text('schema = "jounce.rigs/1"\n', encoding="utf-8")
+    request = Request(operations()["check"], {"given": [bump.name, "two.toml", "kart-quarter-car"]})
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    outcome = cli(*request.words(), "--json")
+    assert outcome.exit_code == 2
+    assert outcome.json == names["result"].to_dict()
+    assert outcome.err.splitlines() == [f"jounce: {problem}" for problem in names["result"].problems]

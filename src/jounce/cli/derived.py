@@ -160,8 +160,10 @@ def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
 def _exit_code(result: Any) -> int:
     """Say on stderr why a result is not whole, or what else is to be known of it; give the exit code."""
     stopped, remark = getattr(result, "stopped", ""), getattr(result, "remark", "")
-    if stopped:
-        tell(f"{stopped}.")
+    wrong = [f"{stopped}."] if stopped else getattr(result, "problems", ())
+    for problem in wrong:
+        tell(problem)
+    if wrong:
         return REFUSED
     if remark:
         tell(remark)

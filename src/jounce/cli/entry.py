@@ -93,7 +93,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "design": design.app,
         },
         "Files and pictures": {
-            "check": files.check,
+            "check": derived("check"),
             "library": files.library,
             "import": files.import_app,
             "export": exchange.export_app,

@@ -4,93 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from jounce.cli.options import LENGTH, AsJson, Force, optional_positive
-from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, table, tell
-from jounce.core.display import shown_as
+from jounce.cli.reply import Reply, show_findings, table, tell
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.files import matching_files
-from jounce.core.waiting import counted
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-
-
-def check(
-    given: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="FILE...",
-            help="Rigs, vehicles (also shipped ones by their name), controllers, FMUs, campaigns, studies, roads, "
-            "testers, limits, recordings.",
-        ),
-    ],
-    parameters: Annotated[
-        bool, typer.Option("--parameters", help="List the parameters of rigs, vehicles and testers by their paths.")
-    ] = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Check files, and for a campaign all files it refers to. Exit code 2 if anything is wrong.
-
-    Example: jounce check campaign.toml rig.toml roads/*.toml
-    """
-    from jounce.operations.checks import check_file
-    from jounce.parts import library as rigs
-
-    checked, every = [], matching_files(given, "FILE")
-    with progress() as say:
-        for k, file in enumerate(every, 1):
-            say(counted("checking {which} of {count}: {name}", k, len(every), name=file))
-            shipped = None if file.exists() else rigs().get(str(file))
-            checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
-    plain = {
-        "ok": not any(item.problems for item in checked),
-        "files": [
-            {
-                "file": str(item.file),
-                "kind": item.kind,
-                "ok": not item.problems,
-                "what": item.what,
-                "problems": list(item.problems),
-                "notes": list(map(str, item.notes)),
-                **({"parameters": item.parameters} if parameters else {}),
-            }
-            for item in checked
-        ],
-    }
-    for item in checked:
-        for problem in item.problems:
-            tell(problem)
-    return Reply(plain, lambda out: _draw_checked(out, plain), as_json, DONE if plain["ok"] else REFUSED)
-
-
-def _draw_checked(out: Console, plain: dict[str, Any]) -> None:
-    rows = []
-    for item in plain["files"]:
-        count = len(item["problems"])
-        verdict = "ok" if item["ok"] else f"{count} problem{'s' if count > 1 else ''}"
-        rows.append((item["file"], item["kind"], verdict, item["what"]))
-    out.print(table("", ("file", "kind", "verdict", "what"), rows, text=(0, 1, 2, 3)))
-    for item in plain["files"]:
-        for note in item["notes"]:
-            out.print(note)
-    for item in plain["files"]:
-        if item.get("parameters"):
-            numbers = [_shown(path, **number) for path, number in item["parameters"].items()]
-            out.print(table(f"{item['file']}: parameters", ("path", "value", "unit"), numbers, text=(0, 2)))
-
-
-def _shown(path: str, value: float, unit: str) -> tuple[str, float, str]:
-    """Give a number of a rig in the unit that is chosen."""
-    shown = shown_as(unit, path, abs(value))
-    return path, value * shown.factor, shown.name
 
 
 def library(

@@ -283,8 +283,9 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
     Notes
     -----
     A parameter ``progress`` is no option: faces pass a function that shows a text. The result has ``to_dict``. Where
-    it is not whole, ``stopped`` says why (exit code 2); ``remark`` is what else to say on stderr; where it is not what
-    was wanted, ``is_met`` is false (exit code 1). ``when_interrupted`` is what to say where writing it is interrupted.
+    it is not whole, ``stopped`` says why, and ``problems`` what is wrong, one by one (exit code 2); ``remark`` is what
+    else to say on stderr; where it is not what was wanted, ``is_met`` is false (exit code 1). ``missing`` are findings
+    about what could not be drawn. ``when_interrupted`` is what to say where writing it is interrupted.
     What it can be written as asks for more: ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``.
     """
 

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
+from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
-from jounce.core.files import existing_file
+from jounce.core.files import existing_file, matching_files
+from jounce.core.operation import Switch, Texts, operation
+from jounce.core.shown import Shown
+from jounce.core.waiting import counted
 
 if TYPE_CHECKING:
     from jounce.control import FmuVariable
     from jounce.core.findings import Finding
+    from jounce.report.page import Block, Page
 
 
 @dataclass
@@ -36,6 +41,125 @@ class FileCheck:
             self.problems.append(str(error))
         except OSError as error:
             self.problems.append(f"{error.filename or self.file}: {error.strerror or error}.")
+
+
+@dataclass(frozen=True)
+class CheckedFiles(Shown):
+    """Files that were checked.
+
+    Attributes
+    ----------
+    files : tuple of FileCheck
+        Each with what it is, everything wrong with it, and what is worth knowing.
+    lists_parameters : bool
+        Whether the numbers of rigs, vehicles and testers are listed by their paths.
+    """
+
+    files: tuple[FileCheck, ...]
+    lists_parameters: bool = False
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """Everything that is wrong, file by file."""
+        return tuple(problem for item in self.files for problem in item.problems)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the outcome of each file as plain data; numbers are SI."""
+        files = [
+            {
+                "file": str(item.file),
+                "kind": item.kind,
+                "ok": not item.problems,
+                "what": item.what,
+                "problems": list(item.problems),
+                "notes": list(map(str, item.notes)),
+                **({"parameters": item.parameters} if self.lists_parameters else {}),
+            }
+            for item in self.files
+        ]
+        return {"ok": not self.problems, "files": files}
+
+
+@operation(
+    "check",
+    page="jounce.operations.checks:checked_page",
+    title="Checked files",
+    doing="checking",
+    example="jounce check campaign.toml rig.toml roads/*.toml",
+)
+def check_files(
+    given: Annotated[
+        Sequence[Path | str],
+        Texts(
+            "Rigs, vehicles (also shipped ones by their name), controllers, FMUs, laboratories, campaigns, studies, "
+            "roads, testers, limits, recordings.",
+            "FILE...",
+        ),
+    ],
+    *,
+    parameters: Annotated[bool, Switch("List the parameters of rigs, vehicles and testers by their paths.")] = False,
+    progress: Callable[[str], None] = lambda _: None,
+) -> CheckedFiles:
+    """Check files, and for a campaign all files it refers to. Exit code 2 if anything is wrong.
+
+    Parameters
+    ----------
+    given : sequence of Path or str
+        Files, patterns of their names, or names of shipped rigs and vehicles.
+    parameters : bool
+        List the numbers of rigs, vehicles and testers by their paths.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    CheckedFiles
+        What each file is, and everything wrong with it. Nothing is run.
+
+    Raises
+    ------
+    RecordingError
+        For a pattern that no file matches.
+
+    Examples
+    --------
+    >>> found = check_files(["kart-quarter-car"], parameters=True)
+    >>> found.problems, found.files[0].parameters["sprung.mass"]
+    ((), {'value': 16.0, 'unit': 'kg'})
+    """
+    from jounce.parts import library as rigs
+
+    checked, every = [], matching_files([str(name) for name in given], "FILE")
+    for k, file in enumerate(every, 1):
+        progress(counted("checking {which} of {count}: {name}", k, len(every), name=file))
+        shipped = None if file.exists() else rigs().get(str(file))
+        checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
+    return CheckedFiles(tuple(checked), parameters)
+
+
+def checked_page(found: CheckedFiles, *, title: str) -> Page:
+    """Put on a page what files are and whether they are in order, with notes and parameters."""
+    from jounce.report.page import Page, PageTable, Paragraph, Section
+
+    rows = tuple((str(item.file), item.kind, _verdict(len(item.problems)), item.what) for item in found.files)
+    blocks: list[Block] = [PageTable("", ("file", "kind", "verdict", "what"), rows, "llll")]
+    blocks += [Paragraph(str(note)) for item in found.files for note in item.notes]
+    for item in found.files:
+        if found.lists_parameters and item.parameters:
+            numbers = tuple(_in_chosen_unit(path, given) for path, given in item.parameters.items())
+            blocks.append(PageTable(f"{item.file}: parameters", ("path", "value", "unit"), numbers, "lrl"))
+    return Page(title, (Section("Files", tuple(blocks)),))
+
+
+def _verdict(problems: int) -> str:
+    return f"{problems} problem{'s' if problems > 1 else ''}" if problems else "ok"
+
+
+def _in_chosen_unit(path: str, given: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Write a number of a rig in the unit that is chosen."""
+    value = float(given["value"])
+    shown = shown_as(given["unit"], path, abs(value))
+    return path, f"{value * shown.factor:.6g}", shown.name
 
 
 def check_file(file: Path) -> FileCheck:

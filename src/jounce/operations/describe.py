@@ -32,6 +32,7 @@ MODULES = (
     "jounce.report.campaign_folder",
     "jounce.campaign.new",
     "jounce.operations.papers",
+    "jounce.operations.checks",
     "jounce.campaign.bench_fits",
     "jounce.campaign.model_choice",
     "jounce.campaign.posterior",
