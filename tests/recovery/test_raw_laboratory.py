@@ -205,3 +205,20 @@ def test_a_record_of_less_than_a_loop_is_compared_on_a_running_belt(spoiled: Cam
     assert noted.place.startswith("trial 2")
     short = next(trial for trial in spoiled.trials if trial.entry.number == 2)
     assert min(channel.r2 for channel in short.after.channels.values()) > 0.97
+
+
+def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(folder: Path, tmp_path: Path) -> None:
+    place = tmp_path / "raw"
+    shutil.copytree(folder, place)
+    first, second = next(place.glob("*_04.csv")), next(place.glob("*_06.csv"))
+    first.rename(place / "swap")
+    second.rename(first)
+    (place / "swap").rename(second)
+    for file in place.glob("P*.csv"):
+        if file not in (first, second) and file.stem[-2:] not in ("01", "02", "03"):
+            file.unlink()
+    made = jn.campaign_from_folder(tmp_path / "campaign", place)
+    result = jn.run_campaign(made.campaign)
+    (named,) = [item for item in result.findings if "exchanged" in item.code]
+    assert (named.code, named.place) == ("campaign.better_exchanged", "trials 4 and 6")
+    assert min(named.numbers["first"], named.numbers["second"]) > 0.9

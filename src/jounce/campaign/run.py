@@ -22,6 +22,7 @@ from jounce.campaign.characterise import (
     polynomial_tyres,
 )
 from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
+from jounce.campaign.exchanged import better_exchanged
 from jounce.campaign.first_look import first_look
 from jounce.campaign.result import CampaignResult
 from jounce.campaign.strategy_result import StrategyResult, StrategyTrial
@@ -102,7 +103,9 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     campaign, bench, findings = runner.campaign, runner.bench, runner.findings
     strategies = runner.compare_strategies(runner.update_all(knowledge))
     trials = runner.compare_all(knowledge, strategies)
-    lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
+    final = strategies[-1].knowledge if strategies else knowledge
+    findings += runner.exchanged_conditions(final, trials)
+    lumped = runner.compare_with_lumped(final)
     poses = runner.poses(trials)
     look = first_look(campaign, bench, knowledge.rig, runner.records, trials)
     return CampaignResult(
@@ -371,6 +374,7 @@ class Runner:
     truth: BenchTruth | None = None
     records: Mapping[int, xr.Dataset] = field(default_factory=dict)
     sought: dict[int, Sought] = field(default_factory=dict)
+    as_read: dict[int, _Loaded] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Give a trial with the rig as it was set up for it."""
@@ -385,6 +389,7 @@ class Runner:
 
     def place_trials(self, knowledge: Knowledge) -> None:
         """Find where each record meets its obstacle, and let the model meet it then; see `jounce.campaign.belt`."""
+        self.as_read = dict(self.loaded)
         for number, item in list(self.loaded.items()):
             if item.entry.road is None:
                 continue
@@ -528,6 +533,29 @@ class Runner:
         aligned = any(entry.align for entry in self.campaign.update)
         return [self._compare(entry, start, final, lags, offsets, aligned) for entry in self.campaign.trial]
 
+    def exchanged_conditions(self, knowledge: Knowledge, trials: Sequence[TrialResult]) -> list[Finding]:
+        """Name records that the conditions of another trial explain better, each the other's."""
+        known = {item.place for item in self.findings if item.code == "campaign.trials_exchanged"}
+        left = {
+            trial.entry.number: min(channel.r2 for channel in trial.after.channels.values())
+            for trial in trials
+            if trial.after is not None and trial.after.verdict != "holds"
+        }
+        doubtful = sorted(left, key=lambda number: left[number])
+        conditions = {number: _conditions(self.loaded[number].entry) for number in doubtful}
+
+        def under(record: int, other: int) -> FitTrial:
+            own, set_up = self.as_read[record], self.as_read[other]
+            trial = set_up.trial.changed(duration=own.trial.duration)
+            if trial.road is not None and trial.road.recurrence is not None:  # its speed is that of the record
+                trial = trial.changed(speed=own.trial.speed)
+            item = replace(set_up, trial=trial, measured=own.measured)
+            held = self.fit_trial(item, knowledge)
+            return held if trial.road is None else placed(held, None, "all", own.pulses)[0]
+
+        found = better_exchanged(doubtful, lambda one, other: conditions[one] == conditions[other], under)
+        return [item for item in found if item.place not in known]
+
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
         """Compare a 3-D rig with the quarter car equivalent to it; None for a lumped rig."""
         if not isinstance(knowledge.rig, Corner) or knowledge.rig.guide == "fixed":
@@ -601,6 +629,12 @@ class Runner:
                 self.findings.append(finding("campaign.not_compared", trial.name, error=reason(error)))
                 self.compared[key] = (None, {}, [], None)
         return self.compared[key]
+
+
+def _conditions(entry: TrialEntry) -> dict[str, Any]:
+    """What was set up for a trial: not its record, nor how that is read."""
+    names = ("road", "excitation", "strut_angle", "tyre_pressure", "added_mass", "changes", "adjustments", "speed")
+    return entry.model_dump(include=set(names))
 
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:
