@@ -62,10 +62,13 @@ def test_german_fills_in_what_the_english_does(english: str) -> None:
 def test_an_error_is_german_part_by_part() -> None:
     error = unknown("bumb", ["bump"], what="road", where="trial.toml")
     assert str(error) == "trial.toml: unknown road 'bumb'; allowed: bump. Did you mean 'bump'?"
-    assert german_of(str(error)) == "trial.toml: Straße 'bumb' ist nicht bekannt; zulässig: bump. Ist 'bump' gemeint?"
+    assert (
+        german_of(error.message()) == "trial.toml: Straße 'bumb' ist nicht bekannt; zulässig: bump. Ist 'bump' gemeint?"
+    )
     found = DescriptionError("out of range", where="road", found="road", allowed=Phrase("above {bound:g}", bound=0.5))
-    assert german_of(str(found)) == "road: außerhalb des Bereichs; gefunden 'road'; zulässig: über 0.5."
+    assert german_of(found.message()) == "road: außerhalb des Bereichs; gefunden 'road'; zulässig: über 0.5."
 
 
 def test_what_has_no_german_says_so() -> None:
-    assert german_of(str(DescriptionError("a sentence that nobody translated", where="out of range"))) is None
+    error = DescriptionError("a sentence that nobody translated", where="out of range")
+    assert error.message().german() is None

@@ -338,7 +338,7 @@ def _candidates(
             trial = Trial(road=known[road], speed=speed, duration=duration)
             rig = knowledge.rig_for(angle, pressure, {})
         except JounceError as error:
-            lost.setdefault(str(error), []).append(name)
+            lost.setdefault(error.message(), []).append(name)
             continue
         if any(one.trial == trial and one.rig == rig for one in found):
             continue

@@ -134,7 +134,7 @@ def _is_unicode(stream: TextIO) -> bool:
 def refuse(error: JounceError, *, as_json: bool) -> int:
     """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
     parts = {"what": error.what, "found": error.found, "allowed": error.allowed or None, "hint": error.hint or None}
-    first = {"kind": type(error).__name__, "message": str(error), "where": error.where or None}
+    first = {"kind": type(error).__name__, "message": error.message(), "where": error.where or None}
     return report_error({**first, **parts}, REFUSED, as_json=as_json)
 
 

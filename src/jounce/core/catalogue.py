@@ -106,7 +106,7 @@ class _Filled(string.Formatter):
         if isinstance(value, (list, tuple)):
             return ", ".join(self.format_field(item, format_spec) for item in value)
         if isinstance(value, Phrase):  # the text of an error
-            return str(in_german(value) if self.language == "de" else value)
+            return in_german(value) if self.language == "de" else str(value)
         if isinstance(value, str):
             return format(", ".join(self.words.get(word, word) for word in value.split(", ")), digits)
         unit, is_written = unit.removeprefix("~"), not unit.startswith("~")

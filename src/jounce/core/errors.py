@@ -35,7 +35,7 @@ class JounceError(Exception):
 
     Notes
     -----
-    Parts that are a `Phrase` keep the fields of their templates: ``str(error)`` knows its German (`german_of`).
+    Parts that are a `Phrase` keep the fields of their templates: `message` knows its German, ``str(error)`` is plain.
     """
 
     path: tuple[str | int, ...] = ()
@@ -47,17 +47,14 @@ class JounceError(Exception):
 
     def __init__(self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = "") -> None:
         self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
-        super().__init__(self._text())
+        super().__init__(str(self.message()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as text and facts, whatever arguments the constructor of a subclass takes."""
         plain = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
-    def _text(self) -> str:
-        return self.message()
-
-    def message(self, *, placed: bool = True) -> Message:
+    def message(self, *, placed: bool = True) -> Phrase:
         """Give its parts as one sentence, with its place if ``placed``."""
         found = None if self.found is None else shown(self.found)
         where = self.where if placed else ""
@@ -229,7 +226,7 @@ def reason(error: Exception) -> str:
     """
     if is_of_system(error):
         raise resource_error(error) from error
-    return str(unforeseen(error))
+    return unforeseen(error).message()
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:

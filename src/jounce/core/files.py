@@ -12,6 +12,7 @@ from importlib import resources
 from pathlib import Path
 
 from jounce.core.errors import DescriptionError, DiskError, JounceError, RecordingError, is_of_system, nearest
+from jounce.core.phrases import Phrase
 
 
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
@@ -151,10 +152,11 @@ def chosen_file(
         return file
     if str(name) not in shipped:
         missing = _instead(file) if str(name) else _MISSING
+        unknown = Phrase("no such file and no shipped {kind} of that name", kind=Phrase(what))
         raise DescriptionError(
-            f"{missing} and no shipped {what} of that name" if missing == _MISSING else missing,
+            unknown if missing == _MISSING else missing,
             where=str(name),
-            allowed=f"{others}, or one of {', '.join(shipped)}",
+            allowed=Phrase("{others}, or one of {names}", others=Phrase(others), names=", ".join(shipped)),
             hint=nearest(str(name), shipped),
         )
     return shipped[str(name)]

@@ -81,9 +81,13 @@ def finding(
     """
     row = row_of(code)
     assert row is not None, code
-    plain = {name: str(given) if isinstance(given, Exception) else given for name, given in numbers.items()}
+    plain = {name: _text_of(given) if isinstance(given, Exception) else given for name, given in numbers.items()}
     known = None if value is None else float(value)
     return Finding(place, severity or row.severity, sentence(code, plain), known, code, plain)
+
+
+def _text_of(error: Exception) -> str:
+    return error.message() if isinstance(error, JounceError) else str(error)
 
 
 def at_place(place: str, item: Finding) -> Finding:

@@ -39,10 +39,6 @@ class Phrase(str):
         phrase._template, phrase._fields = template, fields
         return phrase
 
-    def __str__(self) -> str:
-        """The phrase itself, so that ``str(error)`` keeps its German."""
-        return self
-
     def __reduce__(self) -> tuple[Any, ...]:
         return _phrase, (self._template, self._fields)
 
@@ -97,7 +93,7 @@ class Translated(Phrase):
         return phrase
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Translated, (str.__str__(self), self._german)
+        return Translated, (str(self), self._german)
 
     def german(self) -> str | None:
         """The German that was given."""

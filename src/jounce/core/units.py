@@ -276,7 +276,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
                 "not a number with a unit" if comma is None else "a comma in a number",
                 where=where,
                 found=value,
-                allowed=f"'<number> {si}'".replace(" 1'", "'"),
+                allowed="'<number>'" if si == "1" else Phrase("'<number> {si}'", si=si),
                 hint=""
                 if comma is None
                 else Phrase(

@@ -38,7 +38,7 @@ class FileCheck:
         try:
             yield
         except JounceError as error:
-            self.problems.append(str(error))
+            self.problems.append(error.message())
         except OSError as error:
             self.problems.append(f"{error.filename or self.file}: {error.strerror or error}.")
 

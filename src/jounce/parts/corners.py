@@ -409,7 +409,7 @@ class Corner(Rig):
         if self.sign * centre[1] <= 0.0:
             raise misplaced(
                 ("hardpoints", "wheel_centre"),
-                f"not on the {self.side} side of the car",
+                "not on the left side of the car" if self.side == "left" else "not on the right side of the car",
                 found=Phrase("y = {y:g} mm", y=1e3 * centre[1]),
                 allowed='above 0 for side = "left" (y points to the left)'
                 if self.side == "left"

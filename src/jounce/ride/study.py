@@ -465,7 +465,7 @@ def compare_rides(
     """
     trial = _as_ride(rig, trial)
     chosen = [as_controller(control) for control in controls]
-    rides, failed = [], {}
+    rides, failed = [], dict[str, str]()
     first_error: JounceError | None = None
     for k, (given, control) in enumerate(zip(controls, chosen, strict=True), 1):
         name = control_name(given)
@@ -473,7 +473,7 @@ def compare_rides(
         try:
             rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:
-            failed[name], first_error = str(error), first_error or error
+            failed[name], first_error = error.message(), first_error or error
     if first_error is not None and not rides:
         raise first_error
     response = _stationary(rig, trial, [ride.control for ride in rides])

@@ -682,7 +682,7 @@ class _TrialGroup:
         try:
             run_samples = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
-            results.reasons[row] = reason(error)
+            results.reasons[row] = str(reason(error))  # an array of texts holds plain ones
             return
         if run_samples.findings:
             results.found.add(run_samples.findings)

@@ -175,7 +175,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def refused(_: Request, error: JounceError) -> JSONResponse:
         found = None if error.found is None else str(error.found)
         plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
-        plain |= {"text": str(error), "german": german_of(str(error))}
+        plain |= {"text": str(error), "german": error.message().german()}
         plain |= without_options(plain)
         here = f"{project.root}{os.sep}"  # files are named as the project names them
         told = {key: text and text.replace(here, "") for key, text in plain.items()}

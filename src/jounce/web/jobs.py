@@ -28,7 +28,7 @@ from pydantic import BaseModel, Field, FiniteFloat
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError, Message, OutputError
 from jounce.core.locking import is_held
-from jounce.core.phrases import Translated, german_of
+from jounce.core.phrases import Phrase, Translated, german_of
 from jounce.core.writing import ALLOW_OVERWRITING
 from jounce.kernel.apart import SPLITS
 from jounce.web.project import Project
@@ -327,7 +327,8 @@ class Refused(JounceError):
         words = {name: str(error.get(name) or "") for name in ("where", "allowed", "hint")}
         super().__init__(str(error.get("what") or self.text), found=error.get("found"), **words)
 
-    def _text(self) -> str:
+    def message(self, *, placed: bool = True) -> Phrase:  # noqa: ARG002 - it is one text
+        """What was said."""
         return self.text
 
 

@@ -39,7 +39,7 @@ def answer(question: Mapping[str, Any]) -> int:
         sys.stdout.write(to_json(for_page(to_plain(found))))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
         known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
-        plain = {"message": str(known), "what": known.what, "where": known.where, "hint": known.hint or None}
+        plain = {"message": known.message(), "what": known.what, "where": known.where, "hint": known.hint or None}
         sys.stdout.write(to_json({"error": with_german(plain)}))
         return 2
     return 0
@@ -65,7 +65,7 @@ def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
         read = _force_deflection if asked["form"] == "force-deflection" else _recording
         shown, findings = read(file, asked)
     except JounceError as error:
-        return found | {"problem": str(error), "findings": [], "content": None, "points": None}
+        return found | {"problem": error.message(), "findings": [], "content": None, "points": None}
     return found | {"problem": None, "findings": to_plain(findings)} | shown
 
 

@@ -30,7 +30,7 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
         try:
             found[label] = _driven(one)
         except JounceError as error:
-            failed[label] = str(error)
+            failed[label] = error.message()
     if not found:
         raise DescriptionError(f"none of them could be driven: {'; '.join(failed.values())}", where="rides")
     runs, notes = alike({label: ride.settled for label, ride in found.items()})
