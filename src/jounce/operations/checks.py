@@ -364,7 +364,7 @@ def _check_campaign(check: FileCheck) -> None:
     for entry in campaign.trial:
         place = f"{where}: trial {entry.number}"
         if entry.road is not None and entry.road not in roads:
-            check.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
+            check.problems.append(unknown(entry.road, roads, what="road", where=place).message())
         with check.step():
             try:
                 if entry.road is not None and roads.get(entry.road) is None:
