@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.control.fmu.component import unpacked
+from jounce.control.fmu.component import unpack
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.exchange.fmu import build
 from jounce.exchange.fmu.description import FILE
@@ -38,7 +38,7 @@ class Called:
 
     def __init__(self, path: Path) -> None:
         self.about = jn.read_fmu(path)
-        folder = unpacked(self.about)
+        folder = unpack(self.about)
         self.library = ctypes.CDLL(str(folder / self.about.binary()))
         self.two, self.log = self.about.version == 2, []
         self.references = {

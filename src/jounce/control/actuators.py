@@ -1,4 +1,4 @@
-"""Actuators of controlled suspensions: what a command does, its limits and its lag, and which command a law needs."""
+"""Actuators of controlled suspensions: force, limits and lag of a command, and the command for a demanded force."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from jounce.parts.dampers import BoucWenDamper, SampledPoint, TanhDamper
 from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
-"""Smallest and largest coefficient of a damper that gives none, as shares of the corner's own damping coefficient."""
+"""Default smallest and largest coefficient of a damper, as shares of the corner's own damping coefficient."""
 _REVERSAL = 0.02
 """Velocity (m/s) over which a hysteretic force reverses where its state is not measured."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]
@@ -34,7 +34,7 @@ _ForceLimit = Annotated[float, Unit("N", above=0.0)]
 
 
 Replaced = Literal["spring", "stops", "tyre"]
-"""Elements besides the damper that a force may take the place of."""
+"""Elements besides the damper that a force may replace."""
 OWN, RATE = "own_force", "velocity"
 """Channels ``actuator.*`` of such an element: force (N) of the rig's own, and rate (m/s) of the deflection."""
 
@@ -56,7 +56,7 @@ class Instant:
     last : casadi.SX
         Command of the instant before.
     memory : list of casadi.SX
-        What the law kept.
+        Memory of the law from the instant before.
     """
 
     seen: Lookup
@@ -69,8 +69,8 @@ class Instant:
         """Velocity (m/s) at which body and wheel part, along the strut; positive in rebound."""
         return -self.seen("strut.velocity")
 
-    def clipped(self, command: ca.SX) -> ca.SX:
-        """A command within the limits of the actuator."""
+    def clip(self, command: ca.SX) -> ca.SX:
+        """Clip a command to the limits of the actuator."""
         return clip(command, self.number("minimum"), self.number("maximum"))
 
     def between(self, share: ca.SX) -> ca.SX:
@@ -80,13 +80,13 @@ class Instant:
 
 
 class _Actuator(Description):
-    """What all actuators share: a command with its unit, and the numbers that the model of the car needs."""
+    """Base of all actuators: a command with its unit, and the numbers that the model of the car needs."""
 
     unit: ClassVar[str] = ""
 
     @property
     def replaces_damper(self) -> bool:
-        """Whether it stands in place of the corner's own damper, or beside it."""
+        """Whether it replaces the corner's own damper or acts beside it."""
         return True
 
     @property
@@ -110,17 +110,17 @@ class _Actuator(Description):
         return self.limits[0]
 
     def resolved(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
-        """Give the same actuator with every number that was left open filled in for a corner."""
+        """Return the same actuator with all missing numbers filled in for a corner."""
         return self
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
-        """Strut force (N) that a command gives at once, as far as it is known."""
+        """Strut force (N) that a command gives without lag."""
         raise NotImplementedError
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
         """Command that comes nearest to a strut force (N, compression positive).
 
-        A damper gives what it can: forces that resist its velocity, within its limits.
+        A damper can only give forces that resist its velocity, within its limits.
         """
         raise NotImplementedError
 
@@ -150,7 +150,7 @@ class SemiActiveDamper(_Actuator):
     unit: ClassVar[str] = "N*s/m"
 
     @model_validator(mode="after")
-    def _ordered(self) -> Self:
+    def _check_order(self) -> Self:
         if self.minimum is not None and self.maximum is not None and self.maximum <= self.minimum:
             raise ValueError(
                 f"maximum = {self.maximum:g} N*s/m does not lie above minimum = {self.minimum:g} N*s/m; "
@@ -176,7 +176,7 @@ class SemiActiveDamper(_Actuator):
         return self.minimum, self.maximum
 
     def resolved(self, corner: CornerModel) -> Self:
-        """Give the same damper with both bounds."""
+        """Return the same damper with both bounds."""
         low = SOFTEST * corner.reference_damping if self.minimum is None else self.minimum
         high = FIRMEST * corner.reference_damping if self.maximum is None else self.maximum
         table = {**self.model_dump(exclude_none=True), "minimum": low, "maximum": high}
@@ -190,11 +190,11 @@ class SemiActiveDamper(_Actuator):
         """Coefficient, N s/m; the softest where the force would drive the motion."""
         velocity = now.seen("strut.velocity")
         wanted = force * velocity / ca.fmax(velocity * velocity, 1e-12)
-        return ca.if_else(force * velocity > 0.0, now.clipped(wanted), now.number("minimum"))
+        return ca.if_else(force * velocity > 0.0, now.clip(wanted), now.number("minimum"))
 
     def command_for_coefficient(self, coefficient: ca.SX, now: Instant) -> ca.SX:
         """The coefficient itself within the limits, N s/m."""
-        return now.clipped(coefficient)
+        return now.clip(coefficient)
 
 
 class ActiveActuator(_Actuator):
@@ -215,8 +215,8 @@ class ActiveActuator(_Actuator):
     in_place_of_damper : bool
         Whether the corner's own damper is taken out: the command is the damper's force, too.
     in_place_of : {"spring", "stops", "tyre"} or None
-        Another element whose force comes from an FMU. The rig's own stays as what bridges the time between two
-        instants: the command is what the FMU's force is more. It has neither lag nor limits.
+        Another element whose force comes from an FMU. The rig's own element stays and bridges the time between two
+        instants: the command is the difference between the FMU's force and its own. It has neither lag nor limits.
     """
 
     kind: Literal["active"] = "active"
@@ -236,12 +236,12 @@ class ActiveActuator(_Actuator):
 
     @model_validator(mode="before")
     @classmethod
-    def _at_once(cls, table: Any) -> Any:
+    def _remove_lag(cls, table: Any) -> Any:
         is_element = isinstance(table, dict) and table.get("in_place_of") is not None
         return {"lag": 0.0, **table} if is_element else table
 
     @model_validator(mode="after")
-    def _an_element_has_no_limits(self) -> Self:
+    def _check_element(self) -> Self:
         given = [name for name in ("force_limit", "bandwidth", "rate_limit") if getattr(self, name) is not None]
         given += ["lag"] if self.lag > 0.0 else []
         given += ["in_place_of_damper"] if self.in_place_of_damper else []
@@ -252,7 +252,7 @@ class ActiveActuator(_Actuator):
         return self
 
     @model_validator(mode="after")
-    def _one_speed(self) -> Self:
+    def _check_speed(self) -> Self:
         if self.bandwidth is not None and "lag" in self.model_fields_set and self.lag > 0.0:
             raise ValueError("both lag and bandwidth are given; give one of them")
         return self
@@ -298,7 +298,7 @@ class ActiveActuator(_Actuator):
         return 0.0
 
     def resolved(self, corner: CornerModel) -> Self:
-        """Give the same actuator with its limit."""
+        """Return the same actuator with its limit."""
         if self.in_place_of is not None:
             return BaseModel.model_copy(self, update={"force_limit": math.inf})  # none, which no description may give
         limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
@@ -310,7 +310,7 @@ class ActiveActuator(_Actuator):
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
         """The force within its limits, N."""
-        return now.clipped(force)
+        return now.clip(force)
 
 
 class MagnetorheologicalDamper(_Actuator):
@@ -348,22 +348,22 @@ class MagnetorheologicalDamper(_Actuator):
 
     @model_validator(mode="before")
     @classmethod
-    def _laws_by_kind(cls, table: Any) -> Any:
+    def _read_laws(cls, table: Any) -> Any:
         if not isinstance(table, dict):
             return table
         laws: dict[str, type[Description]] = {"tanh": TanhDamper, "bouc-wen": BoucWenDamper}
-        found = dict(table)
+        fields = dict(table)
         for name in ("off", "on"):
-            law = found.get(name)
+            law = fields.get(name)
             if isinstance(law, dict):
                 if law.get("kind") not in laws:
                     what = Phrase("{name}: the law's kind is {kind}", name=name, kind=shown(law.get("kind")))
                     raise misplaced((), what, allowed="tanh, bouc-wen")
-                found[name] = laws[law["kind"]].from_table(law, where=name)
-        return found
+                fields[name] = laws[law["kind"]].from_table(law, where=name)
+        return fields
 
     @model_validator(mode="after")
-    def _same_kind(self) -> Self:
+    def _check_kinds(self) -> Self:
         if self.off.kind != self.on.kind:
             raise ValueError(f"off is a {self.off.kind!r} law and on a {self.on.kind!r} one; give two of one kind")
         return self
@@ -376,8 +376,8 @@ class MagnetorheologicalDamper(_Actuator):
     @property
     def plant_numbers(self) -> dict[str, float]:
         """Numbers of those equations, SI."""
-        found = {**parameters_of(self.off, "off."), **parameters_of(self.on, "on."), "maximum": self.maximum}
-        return {**found, "lag": self.lag} if self.lag > 0.0 else found
+        numbers = {**parameters_of(self.off, "off."), **parameters_of(self.on, "on."), "maximum": self.maximum}
+        return {**numbers, "lag": self.lag} if self.lag > 0.0 else numbers
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -406,15 +406,15 @@ class MagnetorheologicalDamper(_Actuator):
 
 
 class _ControllerPoint(SampledPoint):
-    """Operating point of a damper law as a controller sees it, which knows the side of the hysteresis only."""
+    """Operating point of a damper law as a controller sees it: only the side of the hysteresis is known."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002
-        """Give the state that a motion in this direction leads to."""
+        """Return the state that a motion in this direction leads to."""
         return ca.tanh(self.velocity / _REVERSAL)
 
 
 def clip(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
-    """A symbol kept between two limits."""
+    """Clip a symbol to two limits."""
     return ca.fmin(ca.fmax(x, low), high)
 
 

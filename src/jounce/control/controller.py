@@ -1,4 +1,4 @@
-"""Controllers: what all of them share, the catalogue that knows them by name, and those that run in Python."""
+"""Controllers: their base class, the catalogue of names, and controllers that run in Python."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SCHEMA = "jounce.control/1"
 
 @dataclass(frozen=True)
 class Kind:
-    """A controller known by name: its class, one line about it, and the values that are not the class's defaults."""
+    """Named controller: its class, a one-line summary, and the fields that differ from the defaults of the class."""
 
     law: type[Controller]
     summary: str
@@ -39,7 +39,7 @@ class Kind:
 
 
 class _Controls(Rows[Kind]):
-    """Controllers in the order in which modules and classes are written."""
+    """Controllers in the order of their modules and classes."""
 
     def _order(self, item: tuple[str, Kind]) -> str:
         return item[1].law.__module__
@@ -51,40 +51,42 @@ FILE_CONTROLS = _Controls("jounce.control")
 """Controllers that need more than a name, by the ``law`` of their files."""
 
 
-def _noise(value: object) -> object:
+def _read_noise(value: object) -> object:
     """Standard deviations by channel, text with units or SI."""
     if not isinstance(value, Mapping):
         return value
     try:
-        found = {str(name): to_si(number, channel_unit(str(name)), where=str(name)) for name, number in value.items()}
+        deviations = {
+            str(name): to_si(number, channel_unit(str(name)), where=str(name)) for name, number in value.items()
+        }
     except JounceError as error:
         raise misplaced_value((), error) from None
-    for name, number in found.items():
+    for name, number in deviations.items():
         if number < 0.0:
             raise ValueError(f"{name}: a standard deviation of {number:g} is below 0")
-    return found
+    return deviations
 
 
-Noise = Annotated[dict[str, Annotated[float, Unit("1")]], BeforeValidator(_noise)]  # in the unit of the channel
+Noise = Annotated[dict[str, Annotated[float, Unit("1")]], BeforeValidator(_read_noise)]  # in the unit of the channel
 
 
 @dataclass(frozen=True)
 class Decision:
-    """What a law gives at an instant: the command, and what it keeps for the next instant."""
+    """Result of a law at one instant: the command, and the memory for the next instant."""
 
     command: ca.SX
     memory: Sequence[ca.SX] = ()
 
 
 class Controller(Description):
-    """Base of all controllers: each corner is controlled by itself, from what is measured at this corner.
+    """Base of all controllers: each corner is controlled separately, from the measurements of that corner.
 
     A subclass is known by the names in its ``catalogue`` as soon as it is defined.
 
     Attributes
     ----------
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper
-        What the commands go to.
+        Actuator that receives the commands.
     rate : float
         Control instants per second, Hz; a command holds until the next one.
     noise : dict
@@ -103,13 +105,13 @@ class Controller(Description):
     catalogue: ClassVar[Mapping[str, tuple[str, AnyActuator | None]]] = {}
     """Name to a line about it, and its actuator."""
     from_file: ClassVar[str] = ""
-    """What a controller is in a line that no name is enough for: a file says the rest, under its ``law``."""
+    """One-line summary of a controller that needs a file; the file selects it by its ``law``."""
     needs_wheel: ClassVar[bool] = False
     """Whether the gains need a wheel with mass and tyre."""
     is_element: ClassVar[bool] = False
-    """Whether it may give the force of a spring, of stops or of a tyre."""
+    """Whether it may replace the force of a spring, of stops or of a tyre."""
     memory_size: ClassVar[int] = 0
-    """Numbers that the law keeps from one instant to the next, for one corner."""
+    """Length of the memory of one corner from one instant to the next."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -119,7 +121,7 @@ class Controller(Description):
             FILE_CONTROLS.add(cls.model_fields["law"].default, Kind(cls, summary, {}))
 
     @model_validator(mode="after")
-    def _fits_its_actuator(self) -> Self:
+    def _check_place(self) -> Self:
         place = getattr(self.actuator, "in_place_of", None)
         if place is not None and not self.is_element:
             raise ValueError(f"actuator: the law {self.name!r} cannot stand in place of the {place}; only an FMU can")
@@ -127,7 +129,7 @@ class Controller(Description):
 
     @property
     def name(self) -> str:
-        """Word of the law."""
+        """Name of the law."""
         return str(getattr(self, "law", "control"))
 
     def decide(self, now: Instant) -> Decision:
@@ -139,20 +141,20 @@ class Controller(Description):
         return {}
 
     def beside(self, folder: Path) -> Self:  # noqa: ARG002 - others need it
-        """Give the same controller with the files that it names found from a folder."""
+        """Return the same controller with its file names resolved against a folder."""
         return self
 
     def paced(self, fastest: float) -> Self:  # noqa: ARG002 - others need it
-        """Give the same with its rate, where that follows from the rig's fastest mode (rad/s)."""
+        """Return the same controller with its rate set, where the rig's fastest mode (rad/s) determines it."""
         return self
 
     def resolved(self, corner: CornerModel) -> Self:
-        """Give the same controller with its actuator's open numbers filled in for a corner."""
+        """Return the same controller with the missing numbers of its actuator filled in for a corner."""
         return BaseModel.model_copy(self, update={"actuator": self.actuator.resolved(corner)})  # checked before
 
 
 class ForceLaw(Controller):
-    """A law that demands a force; a damper gives what it can of it."""
+    """A law that demands a force; a damper provides as much of it as it can."""
 
     def force(self, now: Instant) -> ca.SX:
         """Demanded force (N) on the body at the wheel, up positive; the wheel feels the opposite."""
@@ -167,7 +169,7 @@ class TwoStateLaw(Controller):
     """A law that switches a damper between soft and firm; a force actuator is refused."""
 
     def product(self, now: Instant) -> ca.SX:
-        """What is not below zero where the damper shall be firm."""
+        """Switching function: the damper is firm where it is zero or above."""
         raise NotImplementedError
 
     def decide(self, now: Instant) -> Decision:
@@ -175,20 +177,19 @@ class TwoStateLaw(Controller):
         return Decision(now.between(ca.if_else(self.product(now) >= 0.0, 1.0, 0.0)))
 
     @model_validator(mode="after")
-    def _is_a_damper(self) -> Self:
+    def _check_is_damper(self) -> Self:
         if isinstance(self.actuator, ActiveActuator):
             what = Phrase("the law {name} switches a damper", name=shown(self.name))
-            found = Phrase("an active actuator")
-            raise misplaced((), what, found=found, allowed="semi-active, magnetorheological")
+            raise misplaced((), what, found=Phrase("an active actuator"), allowed="semi-active, magnetorheological")
         return self
 
 
 __getattr__ = with_old_names(__name__, {"DamperLaw": "TwoStateLaw"})
 
 
-def given(value: float | None, otherwise: float) -> float:
-    """A number, or its default where it is not given."""
-    return otherwise if value is None else value
+def or_default(value: float | None, default: float) -> float:
+    """Return the value, or the default where it is None."""
+    return default if value is None else value
 
 
 def controller(name: str | Path, **changes: Any) -> Controller:
@@ -217,15 +218,15 @@ def controller(name: str | Path, **changes: Any) -> Controller:
     500.0
     """
     if isinstance(name, Path) or str(name).endswith(".toml"):
-        found = _from_file(Path(name))
-        return type(found).from_table({**found.model_dump(by_alias=True, exclude_unset=True), **changes})
+        base = _load(Path(name))
+        return type(base).from_table({**base.model_dump(by_alias=True, exclude_unset=True), **changes})
     if name not in CONTROLS:
         raise unknown(name, CONTROLS, what="controller", where="control")
     kind = CONTROLS[name]
     return kind.law.from_table({**kind.fields, **changes}, where=name)
 
 
-def _from_file(path: Path) -> Controller:
+def _load(path: Path) -> Controller:
     table, text = read_toml(path)
     check_schema(table, (SCHEMA,), str(path))
     law, known = table.get("law"), {**CONTROLS, **FILE_CONTROLS}
@@ -237,12 +238,12 @@ def _from_file(path: Path) -> Controller:
 
 
 def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Controller:
-    """Give a controller for what a user may say: one, its name or file, or a Python function.
+    """Return a controller from a controller, its name, its file, or a Python function.
 
     Parameters
     ----------
     value : Controller, str, Path or callable
-        A function gets ``(measurement, t)`` and gives the command (see :class:`PythonControl`).
+        A function takes ``(measurement, t)`` and returns the command (see :class:`PythonControl`).
     """
     if isinstance(value, Controller):
         return value
@@ -256,30 +257,30 @@ def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Contro
 
 
 class Regulator(Protocol):
-    """What the loop calls at every control instant."""
+    """Object that the loop calls at every control instant."""
 
     channels: tuple[str, ...]
-    """Measurements wanted."""
+    """Channels to measure."""
     from_rest: bool
-    """Whether they are changes from static equilibrium."""
+    """Whether measurements are changes from static equilibrium."""
 
     @property
     def findings(self) -> Sequence[Finding]:
-        """What the reader of the run must know."""
+        """Findings for the reader of the run."""
 
     def start(self) -> None:
-        """Forget everything: a run begins."""
+        """Reset everything at the start of a run."""
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements, of which the last is the time (s)."""
 
     def answer(self, rest: Array) -> tuple[Array, Array] | None:
-        """Slopes at rest of (commands, memory) along memory and measurements; None where nobody knows them."""
+        """Return the slopes at rest of (commands, memory) along memory and measurements; None where unknown."""
 
 
 @dataclass(frozen=True)
 class RunSetting:
-    """What a controller in Python knows of the run.
+    """The run as a controller in Python sees it.
 
     Attributes
     ----------
@@ -305,7 +306,7 @@ class CallbackController(Controller):
 
     @property
     def place(self) -> str:
-        """Where it is to be found, for messages."""
+        """Place of the controller, for messages."""
         return f"control: {self.name}"
 
     def regulator(self, setting: RunSetting) -> Regulator:
@@ -314,7 +315,7 @@ class CallbackController(Controller):
 
 
 class PythonControl(CallbackController):
-    """A plain Python function in the loop: ``function(measurement, t) -> command``.
+    """Controller that calls a Python function: ``function(measurement, t) -> command``.
 
     ``measurement`` is a dict of all channels of the model (SI, with noise where there is some), ``t`` the time in s.
     The command is a number for a quarter car; for a vehicle a dict of corners or a sequence in the order of its
@@ -343,14 +344,14 @@ class PythonControl(CallbackController):
 
 
 class _Measurement(dict[str, float]):
-    """Channels by name; for one that is missing the nearest name is suggested."""
+    """Channels by name; the error about a missing channel suggests the nearest name."""
 
     def __missing__(self, name: str) -> float:
         raise unknown(str(name), self, what="channel", where="measurement")
 
 
 class _OwnFunction:
-    """A user's function with its answer checked, clipped and limited in rate."""
+    """A user's function; its answer is checked, clipped and limited in rate."""
 
     from_rest = False
     findings = ()
@@ -366,27 +367,27 @@ class _OwnFunction:
         self._limits.start()
 
     def answer(self, rest: Array) -> None:
-        """Nobody knows what a function does."""
+        """Return None: the slopes of a user's function are unknown."""
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
         measurement = _Measurement(zip(self.channels, values, strict=False))  # the time follows the channels
         answer = self._function(measurement, values[-1])
         if type(answer) is float and len(self._corners) == 1:
-            return self._limits.kept([answer])
-        return self._limits.kept(self._commands(answer, values[-1]))
+            return self._limits.apply([answer])
+        return self._limits.apply(self._commands(answer, values[-1]))
 
     def _commands(self, answer: Any, t: float) -> list[float]:
         corners = self._corners
         if isinstance(answer, np.ndarray):
             answer = answer.tolist()
-        found = repr(answer)
+        given_answer = repr(answer)
         if isinstance(answer, Mapping):
             if set(answer) == set(corners):
                 answer = [answer[name] for name in corners]
-                found = repr(answer)
+                given_answer = repr(answer)
             else:
-                found, answer = f"corners {', '.join(map(str, answer))}", []
+                given_answer, answer = f"corners {', '.join(map(str, answer))}", []
         commands = list(answer) if isinstance(answer, Sequence) and not isinstance(answer, str) else [answer]
         if len(commands) == len(corners):
             with contextlib.suppress(TypeError, ValueError):
@@ -395,7 +396,7 @@ class _OwnFunction:
         raise SimulationError(
             "the controller's answer is not a command",
             where=f"control function at t = {t:.6g} s",
-            found=found,
+            found=given_answer,
             allowed=several if len(corners) > 1 else "one number",
         )
 
@@ -413,18 +414,18 @@ class CommandLimits:
         self.last = list(self._rest)
 
     def start(self) -> None:
-        """Begin from the commands of rest."""
+        """Reset to the commands at rest."""
         self.last = list(self._rest)
 
-    def kept(self, commands: list[float]) -> list[float]:
-        """Commands clipped and limited in rate; NaN for those that are not finite, of which no limit makes one."""
-        found = []
+    def apply(self, commands: list[float]) -> list[float]:
+        """Return the commands clipped and limited in rate; NaN for commands that are not finite."""
+        limited = []
         for command, before, step, (low, high) in zip(commands, self.last, self._steps, self._limits, strict=True):
             if not math.isfinite(command):
-                found.append(math.nan)
+                limited.append(math.nan)
                 continue
             clipped = min(max(command, low), high)
             change = clipped - before
-            found.append(before + step if change > step else before - step if change < -step else clipped)
-        self.last = found
-        return found
+            limited.append(before + step if change > step else before - step if change < -step else clipped)
+        self.last = limited
+        return limited

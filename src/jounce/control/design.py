@@ -1,4 +1,4 @@
-"""The corner of a car as gains are designed for it, and gains from it: regulator, Kalman filter, H-infinity."""
+"""The corner model for the design of controllers, and regulator, Kalman filter and H-infinity design from it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TYPICAL_RATIO = 0.3  # damping ratio of a body on a damper where the corner has
 
 @dataclass(frozen=True)
 class CornerModel(Shown):
-    """Quarter car of one corner: what a decentralised controller knows of its plant.
+    """Quarter car of one corner: the plant model of a decentralised controller.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class CornerModel(Shown):
 
     @property
     def reference_damping(self) -> float:
-        """Coefficient (N s/m, at the strut) that bounds and gains are set from where none are given."""
+        """Coefficient (N s/m, at the strut) from which default bounds and gains follow."""
         wheel = self.damping_coefficient
         if wheel <= 0.0:
             wheel = 2.0 * _TYPICAL_RATIO * math.sqrt(self.spring_rate * self.sprung_mass)
@@ -148,7 +148,7 @@ def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: 
 
 @dataclass(frozen=True)
 class Observer:
-    """Kalman filter at the control instants: ``x- = F x + H u``, ``x = x- + L (y - C x- - D u)``."""
+    """Discrete Kalman filter: ``x- = F x + H u``, ``x = x- + L (y - C x- - D u)``."""
 
     F: Array
     H: Array
@@ -177,7 +177,7 @@ def observer(
     A, B, G = corner_equations(corner, damping_coefficient)
     C, D = corner_outputs(corner, channels, damping_coefficient)
     unknown = np.diag([0.0, disturbance, 0.0, disturbance])
-    F, H, spread = sampled(A, B, roughness * G @ G.T + unknown, period)
+    F, H, spread = discretise(A, B, roughness * G @ G.T + unknown, period)
     noise = np.diag(np.asarray(deviations) ** 2)
     try:
         P = solve_discrete_are(F.T, C.T, spread, noise)
@@ -187,8 +187,8 @@ def observer(
     return Observer(F, H[:, 0], np.asarray(L), C, D[:, 0])
 
 
-def sampled(A: Array, B: Array, intensity: Array, period: float) -> tuple[Array, Array, Array]:
-    """State, input and noise covariance over one period (s), the input held: Van Loan's exponential [vanloan1978]."""
+def discretise(A: Array, B: Array, intensity: Array, period: float) -> tuple[Array, Array, Array]:
+    """Discretise with a held input: state and input matrix and noise covariance of a period (s) [vanloan1978]."""
     from scipy.linalg import expm
 
     n, m = B.shape
@@ -197,13 +197,13 @@ def sampled(A: Array, B: Array, intensity: Array, period: float) -> tuple[Array,
     whole = expm(held * period)
     both = np.zeros((2 * n, 2 * n))
     both[:n, :n], both[:n, n:], both[n:, n:] = -A, intensity, A.T
-    found = expm(both * period)
-    return whole[:n, :n], whole[:n, n:], found[n:, n:].T @ found[:n, n:]
+    exponential = expm(both * period)
+    return whole[:n, :n], whole[:n, n:], exponential[n:, n:].T @ exponential[:n, n:]
 
 
 @dataclass(frozen=True)
 class Dynamic:
-    """A linear controller at its instants: ``x+ = A x + B y``, ``u = C x + D y``."""
+    """Discrete linear controller: ``x+ = A x + B y``, ``u = C x + D y``."""
 
     A: Array
     B: Array
@@ -217,7 +217,7 @@ H_INFINITY_ORDER = 6
 
 @dataclass(frozen=True)
 class Targets:
-    """What an H-infinity controller is to keep small, and what may disturb it.
+    """Disturbances of an H-infinity controller, and the outputs that it keeps small.
 
     Attributes
     ----------
@@ -254,19 +254,19 @@ def h_infinity(
     from scipy.signal import cont2discrete
 
     slycot = require("slycot", "control")
-    plant, scale = _generalised(corner, targets, actuator_rate, damping_coefficient)
+    plant, scale = _build_plant(corner, targets, actuator_rate, damping_coefficient)
 
-    def made(bound: float) -> tuple[Array, ...] | None:
+    def synthesise(bound: float) -> tuple[Array, ...] | None:
         a, b, c, d = (part.copy() for part in plant)
         try:
-            found = slycot.sb10fd(len(a), b.shape[1], len(c), 1, 2, bound, a, b, c, d)
+            synthesis = slycot.sb10fd(len(a), b.shape[1], len(c), 1, 2, bound, a, b, c, d)
         except (slycot.exceptions.SlycotError, ValueError):
             return None
-        controller = tuple(np.asarray(part) for part in found[:4])
-        return controller if _norm(slycot, *_closed(plant, controller)) <= 1.01 * bound else None
+        controller = tuple(np.asarray(part) for part in synthesis[:4])
+        return controller if _norm(slycot, *_close_loop(plant, controller)) <= 1.01 * bound else None
 
-    norm = _least(made)
-    controller = made(_RELAXED * norm) if np.isfinite(norm) else None
+    norm = _find_least_bound(synthesise)
+    controller = synthesise(_RELAXED * norm) if np.isfinite(norm) else None
     if controller is None:
         raise SimulationError(
             "no H-infinity controller was found",
@@ -278,8 +278,8 @@ def h_infinity(
     return Dynamic(A, B / measured, force * C, force * D / measured), _RELAXED * norm
 
 
-def _closed(plant: tuple[Array, ...], controller: tuple[Array, ...]) -> tuple[Array, Array, Array, Array]:
-    """The generalised plant with a controller from its two measurements to its last input."""
+def _close_loop(plant: tuple[Array, ...], controller: tuple[Array, ...]) -> tuple[Array, Array, Array, Array]:
+    """Close the loop of the generalised plant from its two measurements to its last input."""
     (a, b, c, d), (A, B, C, D) = plant, controller
     b_w, b_u, c_z, c_y = b[:, :-1], b[:, -1:], c[:-2], c[-2:]
     d_zw, d_zu, d_yw = d[:-2, :-1], d[:-2, -1:], d[-2:, :-1]
@@ -300,30 +300,30 @@ def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
     return float(peak)
 
 
-_RELAXED = 1.1  # times the least norm: there the equations are well conditioned
+_RELAXED = 1.1  # times the least norm, at which the equations are ill conditioned
 _BOUNDS = 1e-2, 1e4
 
 
-def _least(made: Callable[[float], tuple[Array, ...] | None]) -> float:
-    """Smallest bound, to 1 %, for which a controller exists; infinite where none does."""
+def _find_least_bound(synthesise: Callable[[float], tuple[Array, ...] | None]) -> float:
+    """Find the smallest bound, to 1 %, for which a controller exists; infinite where none does."""
     low, high = _BOUNDS[0], 1.0
-    while made(high) is None:
+    while synthesise(high) is None:
         low, high = high, 2.0 * high
         if high > _BOUNDS[1]:
             return float("inf")
     while high > 1.01 * low:
         middle = float(np.sqrt(low * high))
-        low, high = (low, middle) if made(middle) is not None else (middle, high)
+        low, high = (low, middle) if synthesise(middle) is not None else (middle, high)
     return high
 
 
-def _generalised(
+def _build_plant(
     corner: CornerModel, targets: Targets, actuator_rate: float, damping_coefficient: float | None
 ) -> tuple[tuple[Array, Array, Array, Array], tuple[Array, float]]:
-    """Generalised plant: (road, two noises, command) to (force, deflection, acceleration, two measurements).
+    """Build the generalised plant: (road, two noises, command) to (force, deflection, acceleration, two measurements).
 
     The road is a height here, so ``x3`` is the wheel's height; ``x5`` is the force, ``x6`` belongs to its weight
-    ``(s + 50) / (s + 500)``. All is scaled to size one; the scales of measurements and force come along.
+    ``(s + 50) / (s + 500)``. All signals are scaled to about 1; the scales of measurements and force are returned, too.
     """
     A4, B4, _ = corner_equations(corner, damping_coefficient)
     C, D = corner_outputs(corner, H_INFINITY_CHANNELS, damping_coefficient)

@@ -1,6 +1,6 @@
 """Control laws: formulas (skyhook, groundhook, ADD, PID), and gains from the corner model (LQR, LQG, H-infinity).
 
-With a damper, laws that demand a force are clipped to what it can do.
+With a damper, a demanded force is clipped to the forces that the damper can give.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, AnyActuator, Instant, Lookup, SemiActiveDamper
-from jounce.control.controller import Controller, Decision, ForceLaw, TwoStateLaw, given
+from jounce.control.controller import Controller, Decision, ForceLaw, TwoStateLaw, or_default
 from jounce.control.design import (
     H_INFINITY_CHANNELS,
     H_INFINITY_ORDER,
@@ -61,25 +61,25 @@ class Passive(Controller):
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Coefficient, N s/m."""
-        return {"damping_coefficient": given(self.damping_coefficient, corner.reference_damping)}
+        return {"damping_coefficient": or_default(self.damping_coefficient, corner.reference_damping)}
 
 
 class _Hook(ForceLaw):
-    """A damper between the body or the wheel and something at rest, as far as the actuator can be it."""
+    """A damper between the body or the wheel and a fixed point, as far as the actuator can act as one."""
 
     damping_coefficient: NonNegativeDampingCoefficient | None = None
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Coefficient (N s/m) at the wheel, and the motion ratio."""
         r = corner.motion_ratio
-        coefficient = given(self.damping_coefficient, FIRMEST * corner.reference_damping * r**2)
+        coefficient = or_default(self.damping_coefficient, FIRMEST * corner.reference_damping * r**2)
         return {"damping_coefficient": coefficient, "motion_ratio": r}
 
 
 class Skyhook(_Hook):
     """Damper between body and sky: force ``-damping_coefficient * sprung.vz`` [karnopp1974].
 
-    With a damper it is clipped to what this can give; with an active actuator it is the skyhook itself.
+    With a damper the force is clipped to what the damper can give; an active actuator gives it in full.
 
     Attributes
     ----------
@@ -145,7 +145,7 @@ class TwoStateGroundhook(TwoStateLaw):
 
 
 class Hybrid(_Hook):
-    """Skyhook and groundhook mixed after each was clipped to what a damper can do [goncalves2003].
+    """Mixture of skyhook and groundhook, each clipped to what a damper can do [goncalves2003].
 
     Attributes
     ----------
@@ -227,7 +227,7 @@ class PID(Controller):
     filter_time : float
         Time constant of the derivative's filter, s.
     tracking_time : float
-        Time in which the integral follows what the actuator could not do, s.
+        Time constant with which the integral follows the force that the actuator could not give, s.
     """
 
     law: Literal["pid"] = "pid"
@@ -241,7 +241,7 @@ class PID(Controller):
     memory_size: ClassVar[int] = 3  # integral, filtered derivative, error before
 
     def decide(self, now: Instant) -> Decision:
-        """The command, and what the actuator could not do fed back to the integral."""
+        """The command; the force that the actuator cannot give is fed back to the integral."""
         integral, slope, before = now.memory
         error, r = -now.seen("sprung.vz"), now.number("motion_ratio")
         slope = now.number("filter_keep") * slope + now.number("filter_gain") * (error - before)
@@ -256,8 +256,8 @@ class PID(Controller):
         period, r = 1.0 / self.rate, corner.motion_ratio
         keep = self.filter_time / (self.filter_time + period)
         return {
-            "proportional": given(self.proportional, 0.5 * FIRMEST * corner.reference_damping * r**2),
-            "integral_gain": given(self.integral, 0.1 * corner.spring_rate) * period,
+            "proportional": or_default(self.proportional, 0.5 * FIRMEST * corner.reference_damping * r**2),
+            "integral_gain": or_default(self.integral, 0.1 * corner.spring_rate) * period,
             "derivative": self.derivative,
             "filter_keep": keep,
             "filter_gain": (1.0 - keep) / period,
@@ -277,14 +277,14 @@ class _Quadratic(Controller):
 
     @property
     def _base(self) -> float | None:
-        """Damping that the force comes on top of: the corner's own (None) with an actuator beside it, else none."""
+        """Damping to which the force is added: the corner's own (None) with an actuator beside it, else 0."""
         return 0.0 if self.actuator.replaces_damper else None
 
     def gains(self, corner: CornerModel) -> Array:
         """Gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
         square = (corner.spring_rate / corner.sprung_mass) ** 2
         weights = Weights(
-            given(self.deflection_weight, square), given(self.tyre_weight, 10.0 * square), self.force_weight
+            or_default(self.deflection_weight, square), or_default(self.tyre_weight, 10.0 * square), self.force_weight
         )
         return regulator_gains(corner, weights, self._base)
 
@@ -324,14 +324,16 @@ class LQR(_Quadratic):
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Gains, SI, and motion ratio."""
-        return {**_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+        return {**_flatten("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
 
 LQG_CHANNELS = ("sprung.az", "unsprung.az", "strut.deflection")
 
 
 class LQG(_Quadratic):
-    """The regulator on what a Kalman filter makes of two accelerometers and the stroke; clipped with a damper.
+    """The regulator on states that a Kalman filter estimates from two accelerometers and the stroke.
+
+    With a damper its force is clipped to what the damper can give.
 
     Attributes
     ----------
@@ -340,8 +342,8 @@ class LQG(_Quadratic):
     roughness : float
         Intensity of the road's velocity that the filter expects, m^2/s; class C at 20 m/s: 1.01e-3.
     disturbance : float
-        Intensity of accelerations that the corner model does not explain, m^2/s^3. It lets the filter forget: without,
-        it takes half a minute, and the difference between a 3-D corner and its model is enough to make it drift.
+        Intensity of accelerations that the corner model does not explain, m^2/s^3. It lets the filter forget: without
+        it, the filter takes half a minute, and the difference between a 3-D corner and its model makes it drift.
     """
 
     law: Literal["lqg"] = "lqg"
@@ -354,7 +356,7 @@ class LQG(_Quadratic):
     memory_size: ClassVar[int] = 5  # estimated states, and the command that has arrived behind the actuator's lag
 
     def decide(self, now: Instant) -> Decision:
-        """The command for the estimated states, which follow the command that has arrived and the measurements."""
+        """The command for the states estimated from the measurements and the command behind the actuator's lag."""
         number, r = now.number, now.number("motion_ratio")
         missing = now.memory[4] - now.last
         arrived, mean = now.last + number("late") * missing, now.last + number("mean_late") * missing
@@ -376,14 +378,14 @@ class LQG(_Quadratic):
         filter_ = observer(
             corner, LQG_CHANNELS, deviations, self.roughness, self.disturbance, 1.0 / self.rate, self._base
         )
-        found = _all_named({name: getattr(filter_, name) for name in "FHLCD"})
-        return {**found, **late, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+        filter_numbers = _flatten_all({name: getattr(filter_, name) for name in "FHLCD"})
+        return {**filter_numbers, **late, **_flatten("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
 
 class HInfinity(Controller):
     """H-infinity output feedback from stroke and body acceleration, synthesised by SLICOT (extra ``control``).
 
-    The force comes on top of the corner's own damping; with a damper the sum is clipped to what it can do.
+    The force is added to the corner's own damping; with a damper the sum is clipped to what the damper can give.
 
     Attributes
     ----------
@@ -424,39 +426,39 @@ class HInfinity(Controller):
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """The controller's matrices, SI."""
         r = corner.motion_ratio
-        acceleration = given(self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road)
+        acceleration = or_default(self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road)
         targets = Targets(
             self.road,
             acceleration,
-            given(self.deflection, 0.8 * self.road),
-            given(self.force, corner.sprung_mass * corner.gravity),
+            or_default(self.deflection, 0.8 * self.road),
+            or_default(self.force, corner.sprung_mass * corner.gravity),
             (0.2 * self.road, acceleration / 16.0),
         )
         damping, lag = corner.reference_damping * r**2, _lag(self.actuator)
         quickness = min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
-        made, _ = h_infinity(corner, targets, quickness, 1.0 / self.rate, damping)
-        found = _all_named({"A": made.A, "B": made.B, "C": made.C[0], "D": made.D[0]})
-        return {**found, "motion_ratio": r, "damping_coefficient": damping}
+        controller, _ = h_infinity(corner, targets, quickness, 1.0 / self.rate, damping)
+        matrices = _flatten_all({"A": controller.A, "B": controller.B, "C": controller.C[0], "D": controller.D[0]})
+        return {**matrices, "motion_ratio": r, "damping_coefficient": damping}
 
 
 _QUICKEST = 300.0  # rad/s
 
 
 def _lag(actuator: AnyActuator) -> float:
-    """Time constant of an actuator, s; of one of second order that of its slow motion."""
+    """Time constant of an actuator, s; for a second-order actuator that of its slow motion."""
     if isinstance(actuator, ActiveActuator) and actuator.bandwidth is not None:
         return actuator.damping_ratio / (math.pi * actuator.bandwidth)
     return actuator.lag
 
 
-def _named(name: str, values: Array | Sequence[float]) -> dict[str, float]:
-    """Numbers of an array by path: ``gain[0]``, ``F[1][2]``."""
+def _flatten(name: str, values: Array | Sequence[float]) -> dict[str, float]:
+    """Flatten an array into numbers by path: ``gain[0]``, ``F[1][2]``."""
     array = np.asarray(values, dtype=np.float64)
     return {name + "".join(f"[{i}]" for i in index): float(value) for index, value in np.ndenumerate(array)}
 
 
-def _all_named(arrays: dict[str, Array]) -> dict[str, float]:
-    return {path: value for name, array in arrays.items() for path, value in _named(name, array).items()}
+def _flatten_all(arrays: dict[str, Array]) -> dict[str, float]:
+    return {path: value for name, array in arrays.items() for path, value in _flatten(name, array).items()}
 
 
 def _vector(number: Lookup, name: str, size: int) -> ca.SX:

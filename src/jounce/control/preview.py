@@ -9,8 +9,8 @@ import casadi as ca
 import numpy as np
 
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
-from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting, given
-from jounce.control.design import CornerModel, corner_equations, corner_outputs, sampled
+from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting, or_default
+from jounce.control.design import CornerModel, corner_equations, corner_outputs, discretise
 from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
 from jounce.core.text import qualify
@@ -23,10 +23,10 @@ _QUIET: dict[str, dict[str, Any]] = {
     "daqp": {},
     "qrqp": {"print_iter": False, "print_header": False, "print_info": False},
 }
-_SOFT = (1e6, 3.0)  # weights of going over stroke and of lost load, against those of the deflections themselves
+_SOFT = (1e6, 3.0)  # weights of exceeded stroke and of lost load, relative to those of the deflections
 _LONGEST = 200  # steps of a plan
 _SLACK = 1e-2  # m: unit of the slacks
-_CHEAP = 1e-3  # price of a force behind a lag against that of the acceleration it makes
+_CHEAP = 1e-3  # weight of a force behind a lag, relative to that of the acceleration it causes
 
 
 class PreviewMPC(CallbackController):
@@ -76,7 +76,7 @@ class PreviewMPC(CallbackController):
 class _Horizon:
     """Predictions over the horizon: states ``X = Fx x + Fu U + Fw W`` (all instants, one after another), and the QP.
 
-    ``states`` of them at each instant: the corner's four, then those of a force actuator, which ``own`` steps on.
+    Each instant has ``states`` of them: the corner's four, then those of a force actuator, which ``own`` advances.
     """
 
     states: int
@@ -99,12 +99,12 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
     base = 0.0 if mpc.actuator.replaces_damper else None
     A, B, G = corner_equations(corner, base)
     C, D = corner_outputs(corner, ("sprung.az",), base)
-    A, B, G, C, D = _behind(mpc.actuator, A, B, G, C, D)
+    A, B, G, C, D = _add_lag(mpc.actuator, A, B, G, C, D)
     n = len(A)
-    F, both, _ = sampled(A, np.hstack([B, G]), np.zeros((n, n)), 1.0 / mpc.rate)
+    F, both, _ = discretise(A, np.hstack([B, G]), np.zeros((n, n)), 1.0 / mpc.rate)
     H, V = both[:, :1], both[:, 1:]
     square = (corner.spring_rate / corner.sprung_mass) ** 2
-    weights = given(mpc.deflection_weight, square), given(mpc.tyre_weight, 10.0 * square)
+    weights = or_default(mpc.deflection_weight, square), or_default(mpc.tyre_weight, 10.0 * square)
     price = max(mpc.force_weight, _CHEAP / corner.sprung_mass**2 if n > 4 else 0.0)
     Q = C.T @ C + np.diag([weights[0], 0.0, weights[1], *np.zeros(n - 3)])
     R, S = D.T @ D + price, C.T @ D
@@ -127,10 +127,10 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
     return _Horizon(n, (F[4:, 4:], H[4:, 0]), Fx, Fu, Fw, block_diag(hessian, np.diag(slack)), gx, gw, rows, margin)
 
 
-def _behind(
+def _add_lag(
     actuator: AnyActuator, A: Array, B: Array, G: Array, C: Array, D: Array
 ) -> tuple[Array, Array, Array, Array, Array]:
-    """The corner behind the lag of a force actuator; a damper's lag is left out."""
+    """Add the lag of a force actuator to the corner; a damper's lag is neglected."""
     if not isinstance(actuator, ActiveActuator) or not actuator.order:
         return A, B, G, C, D
     own, drive = actuator.equations
@@ -142,7 +142,7 @@ def _behind(
 
 
 def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tuple[Array, Array]:
-    """Rows that pick what is limited from all states, and how far it may go (m)."""
+    """Rows that select the limited states from all states, and their limits (m)."""
     limited: list[tuple[int, float, float]] = []  # state, sign, limit
     if mpc.stroke is not None:
         limited += [(0, 1.0, mpc.stroke), (0, -1.0, mpc.stroke)]
@@ -194,7 +194,7 @@ class _Planner:
             plan.forget()
 
     def answer(self, rest: Array) -> None:
-        """Its plan is no formula."""
+        """Return None: a plan has no closed form."""
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
@@ -205,7 +205,7 @@ class _Planner:
                 plan.follow(last)
             commands.append(plan.command(values[i * count : (i + 1) * count], self._instant))
         self._instant += 1
-        return self._limits.kept(commands)
+        return self._limits.apply(commands)
 
 
 class _Plan:
@@ -215,7 +215,7 @@ class _Plan:
         self._steps, self._corner = steps, corner
         self._horizon = _horizon(mpc, corner, steps)
         self._bumps = np.diff(road) * mpc.rate  # mean velocity of the road in each period
-        self._bounds, self._command = _of_actuator(actuator, corner, steps)
+        self._bounds, self._command = _actuator_functions(actuator, corner, steps)
         horizon = self._horizon
         self._unit = 0.1 * corner.sprung_mass * corner.gravity  # N: of the forces
         self._units = np.append(np.full(steps, self._unit), [_SLACK, _SLACK])
@@ -240,7 +240,7 @@ class _Plan:
         self._own = np.zeros(self._horizon.states - 4)
 
     def follow(self, command: float) -> None:
-        """Step the actuator's force on by one period under the command that it had."""
+        """Advance the actuator's force by one period under its last command."""
         F, H = self._horizon.own
         self._own = F @ self._own + H * command * self._corner.motion_ratio
 
@@ -257,14 +257,14 @@ class _Plan:
         low, high = self._bounds(along, -r * expected[:, 0])
         gradient = np.append(horizon.gx @ x + horizon.gw @ w, [0.0, 0.0]) * self._scale
         room = horizon.margin - horizon.rows[:, :-2] @ free
-        forces = self._solved(gradient, np.minimum(low, high) * r, np.maximum(low, high) * r, room)
+        forces = self._solve(gradient, np.minimum(low, high) * r, np.maximum(low, high) * r, room)
         self._forces = forces
         return float(self._command(float(forces[0]) / r, velocity, deflection))
 
-    def _solved(self, gradient: Array, low: Array, high: Array, room: Array) -> Array:
-        """Forces at the wheel, N, of the plan; the nearest allowed ones to the last plan where none was found."""
+    def _solve(self, gradient: Array, low: Array, high: Array, room: Array) -> Array:
+        """Solve for the forces of the plan (N, at the wheel); without a solution, clip those of the last plan."""
         none = np.zeros(2)
-        found = self._solver(
+        solution = self._solver(
             h=self._h,
             g=gradient,
             a=self._a,
@@ -273,14 +273,14 @@ class _Plan:
             lbx=np.append(low / self._unit, none),
             ubx=np.append(high / self._unit, none + np.inf),
         )
-        forces = np.asarray(found["x"]).ravel()[: self._steps] * self._unit
+        forces = np.asarray(solution["x"]).ravel()[: self._steps] * self._unit
         if not self._solver.stats()["success"] or not np.all(np.isfinite(forces)):
             forces = np.append(self._forces[1:], self._forces[-1])
         return np.asarray(np.clip(forces, low, high), dtype=np.float64)
 
 
-def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tuple[Any, Any]:
-    """Force bounds (N) at velocities and deflections, and the command for a force, of an actuator."""
+def _actuator_functions(actuator: AnyActuator, corner: CornerModel, steps: int) -> tuple[Any, Any]:
+    """Functions of an actuator: force bounds (N) at velocities and deflections, and the command for a force."""
     low, high = actuator.limits
     if isinstance(actuator, ActiveActuator):
         return (lambda v, _: (np.full(len(v), low), np.full(len(v), high))), (lambda f, _v, _x: f)
@@ -301,7 +301,7 @@ def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tupl
     command = ca.Function("command", [force, velocity, deflection], [actuator.command_for_force(force, now)])
 
     def both(v: Array, x: Array) -> tuple[Array, Array]:
-        found = bounds(v[None, :], x[None, :])
-        return np.asarray(found[0]).ravel(), np.asarray(found[1]).ravel()
+        values = bounds(v[None, :], x[None, :])
+        return np.asarray(values[0]).ravel(), np.asarray(values[1]).ravel()
 
     return both, lambda f, v, x: float(command(f, v, x))

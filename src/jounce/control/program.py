@@ -1,4 +1,4 @@
-"""A controller written out for all corners of a car: one function from measurements to commands."""
+"""A controller compiled for all corners of a car: one function from measurements to commands."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Program:
     function : casadi.Function
         Of (memory, measurements and time, numbers, nothing); gives the commands, then the next memory.
     channels : tuple of str
-        What is measured.
+        Measured channels.
     numbers : tuple of str
         Names: those of the law, after the corner's name.
     memory : int
@@ -44,23 +44,23 @@ _programs: Recent[Program] = Recent()
 def program(controller: Controller, corners: tuple[str, ...]) -> Program:
     """Write a controller out for its corners (``("",)`` for a quarter car); those of one structure share a program."""
     key = (type(controller), structure_of(controller), corners)
-    return _programs.of(key, lambda: _written(controller, corners))
+    return _programs.of(key, lambda: _write_program(controller, corners))
 
 
-def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
+def _write_program(controller: Controller, corners: tuple[str, ...]) -> Program:
     channels: dict[str, ca.SX] = {}
     numbers: dict[str, ca.SX] = {}
 
     def symbols(known: dict[str, ca.SX], corner: str) -> Lookup:
-        """Symbols by name, made when they are first asked for."""
+        """Symbols by name, created at their first use."""
         prefix = f"{corner}." if corner else ""
         return lambda name: known.setdefault(prefix + name, ca.SX.sym(prefix + name))
 
-    kept = [[ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners]
+    memory_symbols = [[ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners]
     last = [ca.SX.sym("last") for _ in corners]
     commands: list[ca.SX] = []
     memories: list[ca.SX] = []
-    for corner, own, before in zip(corners, kept, last, strict=True):
+    for corner, own, before in zip(corners, memory_symbols, last, strict=True):
         now = Instant(symbols(channels, corner), symbols(numbers, corner), before, own)
         decision = controller.decide(now)
         command = decision.command
@@ -69,7 +69,7 @@ def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
             command = clip(command, before - step, before + step)
         commands.append(command)
         memories.extend(decision.memory)
-    memory = ca.vertcat(*(symbol for group in kept for symbol in group), *last)
+    memory = ca.vertcat(*(symbol for group in memory_symbols for symbol in group), *last)
     measured = ca.vertcat(*channels.values(), ca.SX.sym("t"))
     result = ca.densify(ca.vertcat(*commands, *memories, *commands))
     inputs = [memory, measured, ca.vertcat(*numbers.values()), ca.SX(0, 1)]
@@ -84,18 +84,18 @@ def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerMod
         prefix = f"{corner}." if corner else ""
         actuator = controller.actuator
         low, high = actuator.limits
-        found = {**actuator.plant_numbers, **controller.numbers(models[corner]), "minimum": low, "maximum": high}
-        found["static_deflection"] = models[corner].static_deflection
+        own_numbers = {**actuator.plant_numbers, **controller.numbers(models[corner]), "minimum": low, "maximum": high}
+        own_numbers["static_deflection"] = models[corner].static_deflection
         if actuator.rate_limit is not None:
-            found["rate_limit"] = actuator.rate_limit / controller.rate
-        known |= {prefix + name: value for name, value in found.items()}
+            own_numbers["rate_limit"] = actuator.rate_limit / controller.rate
+        known |= {prefix + name: value for name, value in own_numbers.items()}
     return np.array([known[name] for name in names])
 
 
 def sensor_noise(noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int) -> Array:
     """White noise of the sensors, shape (instants, channels), SI; no rows where there is none.
 
-    ``noise`` is the standard deviation by channel, with its corner or without (then it counts at every corner).
+    ``noise`` is the standard deviation by channel; a channel without its corner applies to every corner.
     """
     without_corner = (".".join(name.split(".")[-2:]) for name in channels)
     spread = np.array(

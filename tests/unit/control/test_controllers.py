@@ -27,9 +27,9 @@ from jounce.control import (
 )
 from jounce.control.actuators import Instant
 from jounce.control.controller import TwoStateLaw
-from jounce.control.design import H_INFINITY_CHANNELS, _least, corner_equations, corner_outputs
+from jounce.control.design import H_INFINITY_CHANNELS, _find_least_bound, corner_equations, corner_outputs
 from jounce.control.laws import LQG, SHADD, Groundhook, HInfinity, Hybrid, TwoStateGroundhook, TwoStateSkyhook
-from jounce.control.preview import PreviewMPC, _horizon, _of_actuator
+from jounce.control.preview import PreviewMPC, _actuator_functions, _horizon
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -169,7 +169,7 @@ def test_an_observer_knows_the_lag_of_its_actuator(lag: float, late: float, mean
 def test_a_plan_knows_what_a_magnetorheological_damper_can_give() -> None:
     damper = MagnetorheologicalDamper(off=TANH, on={**TANH, "coefficient": 900.0, "force": 800.0}, maximum=5.0)
     velocity = np.array([0.1, 0.3])
-    low, high = _of_actuator(damper, CORNER, 2)[0](velocity, np.zeros(2))
+    low, high = _actuator_functions(damper, CORNER, 2)[0](velocity, np.zeros(2))
     np.testing.assert_allclose(low, 400.0 * velocity + 60.0 * np.tanh(25.0 * velocity), rtol=1e-12)
     np.testing.assert_allclose(high, 900.0 * velocity + 800.0 * np.tanh(25.0 * velocity), rtol=1e-12)
 
@@ -290,12 +290,12 @@ def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("least", [0.037, 0.8, 5.0, 700.0])
 def test_the_least_bound_is_found_to_one_percent(least: float) -> None:
-    found = _least(lambda bound: () if bound >= least else None)
+    found = _find_least_bound(lambda bound: () if bound >= least else None)
     assert least <= found <= 1.01 * least
 
 
 def test_no_bound_is_infinite() -> None:
-    assert _least(lambda _: None) == float("inf")
+    assert _find_least_bound(lambda _: None) == float("inf")
 
 
 def test_the_former_name_of_two_state_laws_warns():

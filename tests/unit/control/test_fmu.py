@@ -302,7 +302,7 @@ def test_checking_reads_the_fmu_and_runs_nothing(tmp_path, monkeypatch, capsys) 
     file.write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "a.fmu"\n')
     assert main(["check", str(file)]) == 2
     assert "a.fmu: no such file" in capsys.readouterr().err
-    monkeypatch.setattr("jounce.control.fmu.controller.unpacked", None)
+    monkeypatch.setattr("jounce.control.fmu.controller.unpack", None)
     monkeypatch.setattr("subprocess.Popen", None)
     monkeypatch.setattr("ctypes.CDLL", None)
     fmu_component.write(tmp_path / "a.fmu", 3, b"no library")

@@ -18,7 +18,7 @@ from jounce.control.design import (
     H_INFINITY_CHANNELS,
     Targets,
     Weights,
-    _generalised,
+    _build_plant,
     corner_equations,
     corner_outputs,
     h_infinity,
@@ -127,7 +127,7 @@ def test_an_instant_of_h_infinity_is_a_step_of_its_states() -> None:
 def test_the_generalised_plant_is_the_corner_behind_its_actuator(hz: float) -> None:
     """Of road, noises and command to price of the force, deflection, acceleration and the two measurements."""
     targets = Targets(0.05, 9.0, 0.04, 3900.0, (0.011, 0.6))
-    (a, b, c, d), (measured, unit) = _generalised(CORNER, targets, 150.0, 1200.0)
+    (a, b, c, d), (measured, unit) = _build_plant(CORNER, targets, 150.0, 1200.0)
     s = 2j * math.pi * hz
     found = c @ np.linalg.solve(s * np.eye(6) - a, b) + d
     found[3:] *= measured[:, None]
@@ -209,7 +209,7 @@ def test_a_plan_goes_on_where_the_solver_finds_none(failure: str) -> None:
 
     plan._solver = Failing()
     low, high = np.full(4, -1e3), np.array([1e3, 1e3, 350.0, 1e3])
-    np.testing.assert_array_equal(plan._solved(np.zeros(6), low, high, np.zeros(4)), [200.0, 300.0, 350.0, 400.0])
+    np.testing.assert_array_equal(plan._solve(np.zeros(6), low, high, np.zeros(4)), [200.0, 300.0, 350.0, 400.0])
 
 
 def test_limits_of_a_plan() -> None:
@@ -273,11 +273,11 @@ def test_commands_are_clipped_then_limited_in_rate() -> None:
     free = Skyhook(actuator=ActiveActuator(force_limit=50.0), rate=100.0)
     limits = CommandLimits({"front": slow, "rear": free})
     limits.start()
-    turns = [limits.kept(list(pair)) for pair in ((5000.0, 70.0), (450.0, -70.0), (-3.0, 20.0), (math.nan, 0.0))]
+    turns = [limits.apply(list(pair)) for pair in ((5000.0, 70.0), (450.0, -70.0), (-3.0, 20.0), (math.nan, 0.0))]
     assert turns[:3] == [[300.0, 50.0], [450.0, -50.0], [250.0, 20.0]]
     assert math.isnan(turns[3][0])
     limits.start()
-    assert limits.kept([5000.0, 0.0])[0] == 300.0  # from the softest again
+    assert limits.apply([5000.0, 0.0])[0] == 300.0  # from the softest again
 
 
 def test_a_program_keeps_the_order_of_corners_and_limits_rates() -> None:

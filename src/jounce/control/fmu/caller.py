@@ -19,11 +19,11 @@ _WORST = 1  # statuses above a warning: discard, error, fatal
 _FATAL = 4
 _STATUS = ("OK", "warning", "discard", "error", "fatal error", "pending")
 _MESSAGES = 5
-_MUCH = 1000  # messages without a mistake in them, behind which logging is switched off
+_MUCH = 1000  # messages without an error, after which logging is switched off
 _POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
 _MORE = 3
 _LOGGER_2 = ctypes.CFUNCTYPE(None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE)
-"""It has a variable number of arguments: the first of them are where those of a fixed number would be."""
+"""It is variadic: its first arguments lie where those of a fixed number would."""
 _LOGGER_3 = ctypes.CFUNCTYPE(None, _POINTER, ctypes.c_int, _TEXT, _TEXT)
 _TYPES: dict[str, Any] = {
     "Real": _DOUBLE, "Integer": ctypes.c_int, "Boolean2": ctypes.c_int,
@@ -46,16 +46,16 @@ _time = _DOUBLE.from_param
 
 
 def _place(of: Any) -> Any:
-    """Where something is, as an argument: an instance, or the begin of an array."""
+    """Address of an instance or of an array, as an argument."""
     return _POINTER.from_param(of if of is None or isinstance(of, int) else ctypes.addressof(of))
 
 
 class FmuFailedError(Exception):
-    """What an FMU refused, in its own words as far as it said any."""
+    """An FMU refused a call; the message quotes the FMU where it logged one."""
 
 
 class _Callbacks(ctypes.Structure):
-    """What FMI 2.0 gives to an instance."""
+    """Callbacks that FMI 2.0 passes to an instance."""
 
     _fields_ = (
         ("logger", _LOGGER_2),
@@ -67,7 +67,7 @@ class _Callbacks(ctypes.Structure):
 
 
 class _Group:
-    """Variables of one type that are set or read together: all their values, and which of a step's numbers go where."""
+    """Variables of one type that are set or read together: their values, and where the numbers of a step go."""
 
     def __init__(self, kind: str, version: int) -> None:
         self.kind = kind
@@ -78,26 +78,26 @@ class _Group:
         self._first: list[float] = []
 
     def add(self, number: int, reference: int, at: int, values: list[float]) -> None:
-        """Let a number of a step go to an element of a variable with these values."""
+        """Assign a number of a step to an element of a variable with these values."""
         if reference not in self._begins:
             self._begins[reference] = len(self._first)
             self._first += values
         self.places.append((self._begins[reference] + at, number))
 
     def make(self) -> None:
-        """Lay what C is given."""
+        """Allocate the arrays that C reads and writes."""
         self.references = (ctypes.c_uint32 * len(self._begins))(*self._begins)
         self.values = (self._type * len(self._first))(*map(self.cast, self._first))
 
 
 def _groups(ports: list[tuple[str, int, int, list[float]]], version: int) -> list[_Group]:
-    """Numbers of a step by the types of what they go to."""
-    found: dict[str, _Group] = {}
+    """Group the numbers of a step by the types of their variables."""
+    groups: dict[str, _Group] = {}
     for number, (kind, reference, at, values) in enumerate(ports):
-        found.setdefault(kind, _Group(kind, version)).add(number, reference, at, values)
-    for group in found.values():
+        groups.setdefault(kind, _Group(kind, version)).add(number, reference, at, values)
+    for group in groups.values():
         group.make()
-    return list(found.values())
+    return list(groups.values())
 
 
 def _are_reals(groups: list[_Group], count: int) -> bool:
@@ -108,63 +108,63 @@ def _are_reals(groups: list[_Group], count: int) -> bool:
 
 
 class _Instance:
-    """One instance of an FMU, what it is connected to, and how far it has stepped.
+    """One instance of an FMU, its connections, and the number of its steps.
 
-    ``told`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s); for every number of ``inputs``
+    ``spec`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s); for every number of ``inputs``
     and ``outputs`` the type, the value reference, which element of it, and all elements before they are set; and
     ``starts`` (type, reference and values).
     """
 
-    def __init__(self, told: dict[str, Any], library: ctypes.CDLL, name: str) -> None:
-        self._told, self._library, self._name = told, library, name.encode()
-        self._version: int = told["version"]
-        self._period: float = told["period"]
+    def __init__(self, spec: dict[str, Any], library: ctypes.CDLL, name: str) -> None:
+        self._spec, self._library, self._name = spec, library, name.encode()
+        self._version: int = spec["version"]
+        self._period: float = spec["period"]
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
-        self._in, self._out = _groups(told["inputs"], self._version), _groups(told["outputs"], self._version)
+        self._in, self._out = _groups(spec["inputs"], self._version), _groups(spec["outputs"], self._version)
         self._component: int | None = None
         self._broken = False
         self._x: Any
         self._y: Any
         self._fill: Any
-        self._step = self._quick("DoStep")
-        self._sets = [self._quick(f"Set{group.kind}") for group in self._in]
-        self._gets = [self._quick(f"Get{group.kind}") for group in self._out]
-        self._counts = len(told["inputs"]), len(told["outputs"])
-        self._told_back = bytearray(3)  # read faster than the C values that lie on it
-        self._flags = (ctypes.c_bool * 3).from_buffer(self._told_back)
+        self._step = self._bind_unchecked("DoStep")
+        self._sets = [self._bind_unchecked(f"Set{group.kind}") for group in self._in]
+        self._gets = [self._bind_unchecked(f"Get{group.kind}") for group in self._out]
+        self._counts = len(spec["inputs"]), len(spec["outputs"])
+        self._flag_bytes = bytearray(3)  # read faster than the C values that lie on it
+        self._flags = (ctypes.c_bool * 3).from_buffer(self._flag_bytes)
         self._last = _DOUBLE()
         self._logger: Any = _LOGGER_2(self._log_2) if self._version == 2 else _LOGGER_3(self._log_3)
 
-    def _function(self, name: str, *types: Any) -> Any:
+    def _bind(self, name: str, *types: Any) -> Any:
         try:
-            found = getattr(self._library, f"fmi{self._version}{name}")
+            function = getattr(self._library, f"fmi{self._version}{name}")
         except AttributeError:
             raise FmuFailedError(f"the binary has no function fmi{self._version}{name}") from None
-        found.argtypes, found.restype = types, ctypes.c_int
-        return found
+        function.argtypes, function.restype = types, ctypes.c_int
+        return function
 
-    def _quick(self, name: str) -> Any:
-        """A function whose arguments are C values already: what is always the same is converted once a run."""
-        self._function(name)
-        found = self._library[f"fmi{self._version}{name}"]
-        found.restype = ctypes.c_int
-        return found
+    def _bind_unchecked(self, name: str) -> Any:
+        """Bind a function whose arguments are C values already: constant arguments are converted once per run."""
+        self._bind(name)
+        function = self._library[f"fmi{self._version}{name}"]
+        function.restype = ctypes.c_int
+        return function
 
     def _values(self, group: _Group) -> tuple[Any, ...]:
-        """Arguments that get or set some values."""
+        """Arguments that get or set the values of a group."""
         many = _SIZE.from_param(len(group.references))
-        # FMI 3.0 says how many values there are, too, of which an array has several.
+        # FMI 3.0 also takes the number of values: an array has several.
         more = () if self._version == 2 else (_SIZE.from_param(len(group.values)),)
         return (_place(self._component), _place(group.references), many, _place(group.values), *more)
 
-    def _arguments(self) -> None:
-        """What the functions of a step are given, but for the time."""
+    def _prepare_arguments(self) -> None:
+        """Prepare the arguments of a step's functions, except the time."""
         inputs, outputs = self._counts
-        if _are_reals(self._in, inputs):  # the most usual way, and the fastest: C has the step's numbers as they are
+        if _are_reals(self._in, inputs):  # the usual case, and the fastest: C takes the step's numbers as they are
             self._x, self._fill = self._in[0].values, struct.Struct(f"{inputs}d").pack_into
             self._set, self._put = self._sets[0], self._values(self._in[0])
         else:
-            self._x, self._fill = None, self._laid
+            self._x, self._fill = None, self._fill_groups
             self._set, self._put = self._set_all, tuple(map(self._values, self._in))
         if _are_reals(self._out, outputs):
             self._y = self._out[0].values
@@ -177,19 +177,19 @@ class _Instance:
             self._rest: tuple[Any, ...] = (period, ctypes.c_int.from_param(1))
             return
         at = ctypes.addressof(self._flags)
-        told = (at, at + 1, at + 2, ctypes.addressof(self._last))
-        self._rest = (period, ctypes.c_bool.from_param(True), *map(_POINTER.from_param, told))
+        addresses = (at, at + 1, at + 2, ctypes.addressof(self._last))
+        self._rest = (period, ctypes.c_bool.from_param(True), *map(_POINTER.from_param, addresses))
 
-    def _log_2(self, *told: Any) -> None:
-        where, _name, status, category, text, *more = told
-        self._log_3(where, status, category, _written_out(text or b"", more))
+    def _log_2(self, *arguments: Any) -> None:
+        where, _name, status, category, text, *more = arguments
+        self._log_3(where, status, category, _format_message(text or b"", more))
 
     def _log_3(self, _where: Any, status: int, _category: bytes | None, text: bytes | None) -> None:
         self._logged += status <= 0
         if status > 0 and text:
             self._messages.append(text.decode(errors="replace"))
 
-    def _done(self, what: str, status: int) -> None:
+    def _check(self, what: str, status: int) -> None:
         if status > _WORST:
             self._broken = status >= _FATAL
             said = " ".join(self._messages)
@@ -197,91 +197,91 @@ class _Instance:
             raise FmuFailedError(f"{what} gave {word}" + (f": {said}" if said else ""))
 
     def start(self) -> None:
-        """Begin at time 0, with another instance than before."""
+        """Begin at time 0, with a new instance."""
         self.close()
         self._messages.clear()
         self._steps = self._logged = 0
         self._instantiate()
-        self._arguments()
+        self._prepare_arguments()
         c = self._component
-        for kind, reference, values in self._told["starts"]:
+        for kind, reference, values in self._spec["starts"]:
             held = (_c_type(kind, self._version) * len(values))(
                 *(value.encode() if isinstance(value, str) else value for value in values)
             )
             many = () if self._version == 2 else (len(values),)
-            put = self._function(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
+            put = self._bind(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
             refs = (ctypes.c_uint32 * 1)(reference)
-            self._done("a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many))
+            self._check("a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many))
         if self._version == 2:
-            setup = self._function("SetupExperiment", _POINTER, ctypes.c_int, _DOUBLE, _DOUBLE, ctypes.c_int, _DOUBLE)
-            self._done("set-up", setup(c, 0, 0.0, 0.0, 0, 0.0))
-            self._done("the begin of initialisation", self._function("EnterInitializationMode", _POINTER)(c))
+            setup = self._bind("SetupExperiment", _POINTER, ctypes.c_int, _DOUBLE, _DOUBLE, ctypes.c_int, _DOUBLE)
+            self._check("set-up", setup(c, 0, 0.0, 0.0, 0, 0.0))
+            self._check("the begin of initialisation", self._bind("EnterInitializationMode", _POINTER)(c))
         else:
             whether, number = ctypes.c_bool, _DOUBLE
-            enter = self._function("EnterInitializationMode", _POINTER, whether, number, number, whether, number)
-            self._done("the begin of initialisation", enter(c, False, 0.0, 0.0, False, 0.0))
-        self._done("the end of initialisation", self._function("ExitInitializationMode", _POINTER)(c))
+            enter = self._bind("EnterInitializationMode", _POINTER, whether, number, number, whether, number)
+            self._check("the begin of initialisation", enter(c, False, 0.0, 0.0, False, 0.0))
+        self._check("the end of initialisation", self._bind("ExitInitializationMode", _POINTER)(c))
 
     def _hush(self) -> None:
-        """Ask it to log no more."""
+        """Switch off its logging."""
         self._logged = 0
         truth = ctypes.c_int if self._version == 2 else ctypes.c_bool
         with contextlib.suppress(FmuFailedError):
-            self._function("SetDebugLogging", _POINTER, truth, _SIZE, _POINTER)(self._component, 0, 0, None)
+            self._bind("SetDebugLogging", _POINTER, truth, _SIZE, _POINTER)(self._component, 0, 0, None)
 
     def _instantiate(self) -> None:
-        told, name, token = self._told, self._name, self._told["token"].encode()
+        spec, name, token = self._spec, self._name, self._spec["token"].encode()
         kind = "Instantiate" if self._version == 2 else "InstantiateCoSimulation"
         if self._version == 2:
-            make = self._function(kind, _TEXT, ctypes.c_int, _TEXT, _TEXT, _POINTER, ctypes.c_int, ctypes.c_int)
+            make = self._bind(kind, _TEXT, ctypes.c_int, _TEXT, _TEXT, _POINTER, ctypes.c_int, ctypes.c_int)
             make.restype = _POINTER
             c_library = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("msvcrt")
             allocate, free = (ctypes.cast(getattr(c_library, word), _POINTER) for word in ("calloc", "free"))
             self._callbacks = _Callbacks(self._logger, allocate, free, None, None)
-            found = make(name, 1, token, told["resources"].encode(), ctypes.addressof(self._callbacks), 0, 1)
+            instance = make(name, 1, token, spec["resources"].encode(), ctypes.addressof(self._callbacks), 0, 1)
         else:
             types = (_TEXT, _TEXT, _TEXT, *(ctypes.c_bool,) * 4, _POINTER, _SIZE, _POINTER, _LOGGER_3, _POINTER)
-            make = self._function(kind, *types)
+            make = self._bind(kind, *types)
             make.restype = _POINTER
-            resources = told["resources"].encode()
-            found = make(name, token, resources, False, True, False, False, None, 0, None, self._logger, None)
-        if not found:
+            resources = spec["resources"].encode()
+            instance = make(name, token, resources, False, True, False, False, None, 0, None, self._logger, None)
+        if not instance:
             said = " ".join(self._messages)
             raise FmuFailedError("it gives no instance" + (f": {said}" if said else ""))
-        self._component = found
+        self._component = instance
 
     def step(self, values: list[float]) -> list[float]:
-        """Set the inputs, step one period on, give the outputs."""
+        """Set the inputs, advance by one period, and return the outputs."""
         self._fill(self._x, 0, *values)
         if (status := self._set(*self._put)) > _WORST:
-            self._done("setting the inputs", status)
+            self._check("setting the inputs", status)
         now = self._steps * self._period
         status = self._step(self._which, _time(now), *self._rest)
         if status > _WORST:
-            self._done(f"the step from {now:.6g} s", status)
-        if self._told_back[1]:
+            self._check(f"the step from {now:.6g} s", status)
+        if self._flag_bytes[1]:
             raise FmuFailedError(f"it asks for the end of the run at {now:.6g} s")
         self._steps += 1
         if self._logged > _MUCH:
             self._hush()
         if (status := self._get(*self._take)) > _WORST:
-            self._done("reading the outputs", status)
+            self._check("reading the outputs", status)
         return self._y[:]  # type: ignore[no-any-return]
 
-    def _laid(self, _: None, _begin: int, *values: float) -> None:
-        """Lay a step's numbers where C reads them, whatever their types are."""
+    def _fill_groups(self, _: None, _begin: int, *values: float) -> None:
+        """Write the numbers of a step where C reads them, converted to their types."""
         for group in self._in:
             for at, number in group.places:
                 group.values[at] = group.cast(values[number])
 
-    def _set_all(self, *told: Any) -> int:
-        """Set the inputs of each type; gives the status of the first that is refused."""
-        statuses = (put(*words) for put, words in zip(self._sets, told, strict=True))
+    def _set_all(self, *arguments: Any) -> int:
+        """Set the inputs of each type; return the status of the first refused one."""
+        statuses = (put(*words) for put, words in zip(self._sets, arguments, strict=True))
         return next((status for status in statuses if status > _WORST), 0)
 
-    def _get_all(self, *told: Any) -> int:
-        """Read the outputs of each type; gives the status of the first that is refused."""
-        for group, take, words in zip(self._out, self._gets, told, strict=True):
+    def _get_all(self, *arguments: Any) -> int:
+        """Read the outputs of each type; return the status of the first refused one."""
+        for group, take, words in zip(self._out, self._gets, arguments, strict=True):
             if (status := take(*words)) > _WORST:
                 return int(status)
             for at, number in group.places:
@@ -289,10 +289,10 @@ class _Instance:
         return 0
 
     def close(self) -> None:
-        """Free the instance; one that failed for good is left alone."""
+        """Free the instance, unless it failed fatally."""
         if self._component is not None and not self._broken:
-            self._function("Terminate", _POINTER)(self._component)
-            free = self._function("FreeInstance", _POINTER)
+            self._bind("Terminate", _POINTER)(self._component)
+            free = self._bind("FreeInstance", _POINTER)
             free.restype = None
             free(self._component)
         self._component, self._broken = None, False
@@ -301,10 +301,10 @@ class _Instance:
 _PLACE = re.compile(rb"%(?:[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]|%)")
 
 
-def _written_out(text: bytes, values: list[int | None]) -> bytes:
-    """A message of C with its texts and integers in their places; as it is where it has others, or too many.
+def _format_message(text: bytes, values: list[int | None]) -> bytes:
+    """Format a message of C that contains only texts and integers; others are returned as they are.
 
-    >>> _written_out(b"step %d of 100 %%", [7, None, None]), _written_out(b"at %g s", [0, 0, 0])
+    >>> _format_message(b"step %d of 100 %%", [7, None, None]), _format_message(b"at %g s", [0, 0, 0])
     (b'step 7 of 100 %', b'at %g s')
     """
     places = [place for place in _PLACE.findall(text) if place != b"%%"]
@@ -313,34 +313,34 @@ def _written_out(text: bytes, values: list[int | None]) -> bytes:
         return text
     left = iter(values)
 
-    def written(found: re.Match[bytes]) -> bytes:
-        if found[0] == b"%%":
+    def fill_place(match: re.Match[bytes]) -> bytes:
+        if match[0] == b"%%":
             return b"%"
         value = next(left) or 0
-        if found[0].endswith(b"s"):
+        if match[0].endswith(b"s"):
             return ctypes.string_at(value) if value else b""
         return str(ctypes.c_int32(value).value).encode()
 
-    return _PLACE.sub(written, text)
+    return _PLACE.sub(fill_place, text)
 
 
 class Instances:
-    """Instances of one FMU in this process, asked together.
+    """Instances of one FMU in this process, stepped together.
 
     Parameters
     ----------
-    told : list of dict
-        What each of them is told (see `_Instance`).
+    specs : list of dict
+        Specification of each instance (see `_Instance`).
     """
 
-    def __init__(self, told: list[dict[str, Any]]) -> None:
+    def __init__(self, specs: list[dict[str, Any]]) -> None:
         try:
-            library = ctypes.CDLL(told[0]["library"])
+            library = ctypes.CDLL(specs[0]["library"])
         except OSError as error:
             raise FmuFailedError(f"its binary cannot be loaded: {error}") from None
-        self._all = [_Instance(one, library, f"jounce_{i}") for i, one in enumerate(told)]
+        self._all = [_Instance(spec, library, f"jounce_{i}") for i, spec in enumerate(specs)]
         self._only = self._all[0] if len(self._all) == 1 else None
-        self._counts = [len(one["inputs"]) for one in told]
+        self._counts = [len(spec["inputs"]) for spec in specs]
 
     def start(self) -> None:
         """Begin a run."""
@@ -348,14 +348,14 @@ class Instances:
             instance.start()
 
     def step(self, values: list[float]) -> list[float]:
-        """Outputs of all, one after another, from the inputs of all."""
+        """Return the outputs of all instances, in order, from the inputs of all."""
         if self._only is not None:
             return self._only.step(values)
-        found, at = [], 0
+        outputs, at = [], 0
         for instance, count in zip(self._all, self._counts, strict=True):
-            found += instance.step(values[at : at + count])
+            outputs += instance.step(values[at : at + count])
             at += count
-        return found
+        return outputs
 
     def close(self) -> None:
         """Free all."""
@@ -364,32 +364,32 @@ class Instances:
 
 
 def serve() -> None:
-    """Do in a child what is asked through standard input; what the FMU prints goes nowhere.
+    """Run the instances in a child process that takes requests on standard input; output of the FMU is discarded.
 
-    The first line is JSON: what the instances are told. ``s`` begins a run, ``x`` and the inputs ask for a step. An
-    answer is ``+`` and the outputs, or ``-``, a length and a text.
+    The first line is JSON: the specifications of the instances. ``s`` begins a run, ``x`` and the inputs request a
+    step. An answer is ``+`` and the outputs, or ``-``, a length and a text.
     """
     answers, questions = os.fdopen(os.dup(1), "wb", 0), os.fdopen(os.dup(0), "rb")
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)
-    told = json.loads(questions.readline())
-    inputs, outputs = (struct.Struct(f"={sum(len(one[word]) for one in told)}d") for word in ("inputs", "outputs"))
-    made: Instances | None = None
+    specs = json.loads(questions.readline())
+    inputs, outputs = (struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d") for word in ("inputs", "outputs"))
+    instances: Instances | None = None
     while head := questions.read(1):
         try:
-            if made is None:
-                made = Instances(told)
+            if instances is None:
+                instances = Instances(specs)
             if head == b"s":
-                made.start()
+                instances.start()
                 answers.write(b"+" + outputs.pack(*[0.0] * (outputs.size // 8)))
             else:
-                answers.write(b"+" + outputs.pack(*made.step(list(inputs.unpack(questions.read(inputs.size))))))
+                answers.write(b"+" + outputs.pack(*instances.step(list(inputs.unpack(questions.read(inputs.size))))))
         except FmuFailedError as error:
             text = str(error).encode()
             answers.write(b"-" + len(text).to_bytes(8, "little") + text)
-    if made is not None:
-        made.close()
+    if instances is not None:
+        instances.close()
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What an FMU of another tool says of itself, and its files unpacked within limits."""
+"""What an FMU of another tool says of itself, and its files unpack within limits."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ _ALLOWED = "FMUs for co-simulation with a binary for this machine"
 
 
 def read_fmu(path: Path | str) -> FmuComponent:
-    """Read what a Functional Mock-up Unit of any tool says of itself; nothing of it is run.
+    """Read the description of a Functional Mock-up Unit of any tool; nothing of it is run.
 
     Parameters
     ----------
@@ -243,7 +243,7 @@ def read_fmu(path: Path | str) -> FmuComponent:
     2
     """
     file = existing_file(path)
-    with _understood(file), zipfile.ZipFile(file) as archive:
+    with _refuse_damaged(file), zipfile.ZipFile(file) as archive:
         members = _members(archive, str(file))
         if "modelDescription.xml" not in members:
             raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
@@ -252,36 +252,36 @@ def read_fmu(path: Path | str) -> FmuComponent:
             most = f"up to {_LONGEST_DESCRIPTION // 1_000_000} MB"
             raise DescriptionError("its description is too large", where=str(file), allowed=most)
         text = archive.read(info)
-    return _component(file, _parsed(text, str(file)), members)
+    return _component(file, _parse(text, str(file)), members)
 
 
 @contextmanager
-def _understood(file: Path) -> Iterator[None]:
-    """Whatever is raised over an archive is one refusal: each way of compression has errors of its own."""
+def _refuse_damaged(file: Path) -> Iterator[None]:
+    """Turn any error of an archive into one refusal: each compression method raises its own."""
     try:
         yield
     except DescriptionError:
         raise
-    except Exception as error:  # of lzma, bz2, zlib, struct, of what is encrypted or not known
+    except Exception as error:  # of lzma, bz2, zlib, struct, or of encrypted and unknown archives
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES):
-            raise  # of the disk that it is unpacked on
+            raise  # of the disk that it is unpack on
         text = " ".join(str(error).split()) or type(error).__name__
         allowed = "an FMU (a ZIP file)"
         raise DescriptionError(f"not an archive that can be read: {text}", where=str(file), allowed=allowed) from None
 
 
 def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]:
-    """Files of an archive by name; refused where they lead out of it, are links, or are too many or too large."""
+    """Files of an archive by name; refuse links, paths that lead out of it, and too many or too large files."""
     files = [info for info in archive.infolist() if not info.orig_filename.endswith("/")]
     size = sum(info.file_size for info in files)
     if len(files) > _MOST_FILES or size > _MOST_BYTES:
         raise DescriptionError(
             "too large for an FMU",
             where=where,
-            found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpacked",
+            found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpack",
             allowed=f"{_MOST_FILES} files of {_MOST_BYTES / 1e6:g} MB together",
         )
-    found: dict[str, zipfile.ZipInfo] = {}
+    members: dict[str, zipfile.ZipInfo] = {}
     for info in files:
         name = info.orig_filename
         parts = name.split("/")
@@ -289,13 +289,13 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
         if is_link or ".." in parts or "" in parts or any(sign in name for sign in "\\:\0"):
             what = "a link in the archive" if is_link else "a path that leads out of the archive"
             raise DescriptionError(what, where=where, found=name, allowed="plain files within the FMU")
-        if name in found:
+        if name in members:
             raise DescriptionError("a file is twice in the archive", where=where, found=name)
-        found[name] = info
-    return found
+        members[name] = info
+    return members
 
 
-def _parsed(text: bytes, where: str) -> ET.Element:
+def _parse(text: bytes, where: str) -> ET.Element:
     try:
         return parse_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
@@ -359,14 +359,14 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
     for kind in root.iterfind("TypeDefinitions/*"):
         typed = kind if version == 3 else next(iter(kind), kind)
         declared[kind.get("name", "")] = typed.get("unit", "")
-    found, names = [], set[str]()
+    variables, names = [], set[str]()
     sizes = {
         row.get("valueReference", ""): row.get("start", "")
         for row in root.iterfind("ModelVariables/*")
         if row.get("causality") == "structuralParameter"
     }
     for row in root.iterfind("ModelVariables/*"):
-        typed = row if version == 3 else next((one for one in row if one.tag != "Annotations"), row)
+        typed = row if version == 3 else next((child for child in row if child.tag != "Annotations"), row)
         unit = typed.get("unit") or declared.get(typed.get("declaredType", ""), "")
         try:
             reference = int(row.get("valueReference", ""))
@@ -378,7 +378,7 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
         if row.get("name", "") in names:
             raise DescriptionError("two variables have the same name", where=where, found=row.get("name", ""))
         names.add(row.get("name", ""))
-        found.append(
+        variables.append(
             FmuVariable(
                 row.get("name", ""),
                 typed.tag,
@@ -388,14 +388,14 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
                 _start(typed),
                 row.get("description", ""),
                 reference,
-                tuple(_elements(one, sizes, f"{where}: {row.get('name')}") for one in row.iterfind("Dimension")),
+                tuple(_elements(child, sizes, f"{where}: {row.get('name')}") for child in row.iterfind("Dimension")),
             )
         )
-    return found
+    return variables
 
 
 def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> int:
-    """Elements along a dimension: as written, or the start of the structural parameter that it names."""
+    """Number of elements along a dimension: as written, or the start of the structural parameter that it names."""
     said = dimension.get("start") or sizes.get(dimension.get("valueReference", ""), "")
     if not re.fullmatch("[0-9]{1,18}", said):
         raise DescriptionError("an array without a size", where=where, found=said, allowed="a whole number")
@@ -403,26 +403,26 @@ def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> in
 
 
 def _start(typed: ET.Element) -> str:
-    """Start value as it is written; that of a text of FMI 3.0 is an element of its own."""
+    """Start value as it is written; a text of FMI 3.0 has it in a child element."""
     row = typed.find("Start")
     return typed.get("start", "") if row is None else row.get("value", "")
 
 
 def _units(root: ET.Element, where: str) -> dict[str, _Unit]:
-    found = {}
+    units = {}
     for unit in root.iterfind("UnitDefinitions/Unit"):
         base, name = unit.find("BaseUnit"), unit.get("name", "")
         if base is None:
-            found[name] = _Unit(1.0, 0.0, None)
+            units[name] = _Unit(1.0, 0.0, None)
             continue
         place = f"{where}: unit {name}"
         factor, offset = (_number(base.get(word), place) for word in ("factor", "offset"))
-        powers = {one: int(_number(base.get(one), place) or 0.0) for one in (*_BASES, "rad")}
+        powers = {base_unit: int(_number(base.get(base_unit), place) or 0.0) for base_unit in (*_BASES, "rad")}
         factor = 1.0 if factor is None else factor
         if factor == 0.0:
             raise DescriptionError("a unit of factor 0", where=place)
-        found[name] = _Unit(factor, offset or 0.0, powers)
-    return found
+        units[name] = _Unit(factor, offset or 0.0, powers)
+    return units
 
 
 def _number(text: str | None, where: str) -> float | None:
@@ -440,23 +440,23 @@ def _number(text: str | None, where: str) -> float | None:
 _unpacked: dict[tuple[str, State], Path] = {}
 
 
-def unpacked(component: FmuComponent) -> Path:
-    """Folder with the binary and the resources of an FMU, which goes with this process; made once for each file."""
+def unpack(component: FmuComponent) -> Path:
+    """Unpack binary and resources of an FMU, once per file, into a folder that is removed when the process ends."""
     wanted = component.binary()
     key = str(component.path.resolve()), state_of(component.path)
     with turn(key):
         if key not in _unpacked:
             folder = lasting_folder()
             atexit.register(shutil.rmtree, folder, ignore_errors=True)
-            _unpack(component.path, folder, wanted.rpartition("/")[0] + "/")
+            _extract(component.path, folder, wanted.rpartition("/")[0] + "/")
             _unpacked[key] = folder
         return _unpacked[key]
 
 
-def _unpack(file: Path, folder: Path, binaries: str) -> None:
+def _extract(file: Path, folder: Path, binaries: str) -> None:
     (folder / "resources").mkdir()
     left = _MOST_BYTES
-    with _understood(file), zipfile.ZipFile(file) as archive:
+    with _refuse_damaged(file), zipfile.ZipFile(file) as archive:
         for name, info in _members(archive, str(file)).items():
             if not name.startswith((binaries, "resources/")):
                 continue
@@ -464,7 +464,7 @@ def _unpack(file: Path, folder: Path, binaries: str) -> None:
             target.parent.mkdir(parents=True, exist_ok=True)
             with archive.open(info) as content, target.open("wb") as out:
                 while piece := content.read(min(_CHUNK, left + 1)):
-                    left -= len(piece)  # what an archive says of its sizes may be wrong
+                    left -= len(piece)  # the sizes that an archive states may be wrong
                     if left < 0:
                         raise DescriptionError("too large for an FMU", where=str(file))
                     out.write(piece)

@@ -20,7 +20,7 @@ from pydantic import BaseModel, model_validator
 from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting
 from jounce.control.fmu import caller
-from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
+from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpack
 from jounce.core.child_processes import ChildProcess
 from jounce.core.errors import DescriptionError, ResourceError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
@@ -103,13 +103,13 @@ class FmuControl(CallbackController):
     is_element: ClassVar[bool] = True
 
     @model_validator(mode="after")
-    def _one_way(self) -> Self:
+    def _check_outputs(self) -> Self:
         if self.output is not None and self.outputs is not None:
             raise ValueError("both output and outputs are given; output is for each corner, outputs for the vehicle")
         return self
 
     def beside(self, folder: Path) -> Self:
-        """Give the same with its file found from a folder."""
+        """Return the same with its file resolved against a folder."""
         return self.model_copy(update={"file": str(folder / self.file)})
 
     @property
@@ -119,11 +119,11 @@ class FmuControl(CallbackController):
 
     @property
     def is_force(self) -> bool:
-        """Whether its output is a force in the strut, at once."""
+        """Whether its output is a strut force without lag."""
         return isinstance(self.actuator, ActiveActuator) and self.actuator.order == 0
 
     def paced(self, fastest: float) -> Self:
-        """Give the same with its rate, where a force has none, for a rig whose fastest mode (rad/s) is known."""
+        """Return the same with a rate that suits the rig's fastest mode (rad/s), where a force has no rate."""
         if "rate" in self.model_fields_set or not self.is_force:
             return self
         rate = _USUAL * min(max(math.ceil(fastest / _TURN / _USUAL), 1), _MOST)
@@ -139,10 +139,10 @@ class FmuControl(CallbackController):
 
 @dataclass(frozen=True)
 class _Wires:
-    """What one instance is connected to, channels, and conversions from SI and back to SI.
+    """Connections of one instance: channels, and conversions from SI and back to SI.
 
-    ``starts`` are type, reference and values of what is set before a run; ``inputs`` and ``outputs`` type, reference,
-    element, and all elements before they are set. ``wholes`` are the inputs of whole numbers, by their place.
+    ``starts`` are type, reference and values of variables set before a run; ``inputs`` and ``outputs`` are type,
+    reference, element, and all elements before they are set. ``wholes`` are the integer inputs, by their place.
     """
 
     starts: list[tuple[str, int, list[Any]]]
@@ -156,7 +156,7 @@ class _Wires:
 
 @dataclass(frozen=True)
 class _VariablePlace:
-    """A variable, or an element of it, by the name that the user gave; no element of an array that is meant whole."""
+    """A variable or an element of it, by the user's name; ``at`` is None where a whole array is meant."""
 
     name: str
     variable: FmuVariable
@@ -165,7 +165,7 @@ class _VariablePlace:
 
 @dataclass(frozen=True)
 class _Whole:
-    """An input of whole numbers: the SI size of a count, and the least and greatest; rounded where counts are said."""
+    """An integer input: the SI size of a count and the limits; rounded where the user gives the size of a count."""
 
     name: str
     channel: str
@@ -174,8 +174,8 @@ class _Whole:
     most: int
     is_rounded: bool
 
-    def kept(self, value: float, where: str) -> float:
-        """The counts of a measurement that is given in counts; a SimulationError where it is between two, or beyond."""
+    def apply(self, value: float, where: str) -> float:
+        """Return a measurement, given in counts, as a whole number; refuse fractions and counts beyond the limits."""
         if self.is_rounded and math.isfinite(value):
             value = float(round(value))
         if value % 1.0 == 0.0 and self.least <= value <= self.most:
@@ -195,7 +195,7 @@ class _Whole:
 
 @dataclass
 class _Connection:
-    """An FMU while it is connected to the corners of a car."""
+    """Connects an FMU to the corners of a car."""
 
     law: FmuControl
     component: FmuComponent
@@ -203,14 +203,14 @@ class _Connection:
     findings: list[Finding] = field(default_factory=list)
 
     def wires(self) -> list[_Wires]:
-        """Of every instance."""
+        """Connections of every instance."""
         corners = tuple(self.setting.controllers)
         central = self._central(corners)
         if central is not None:
-            wires = [self._wired("", [self._output(central[corner], corner) for corner in corners])]
+            wires = [self._wire("", [self._output(central[corner], corner) for corner in corners])]
         else:
             place = self._own_output()
-            wires = [self._wired(corner, [(place, corner)]) for corner in corners]
+            wires = [self._wire(corner, [(place, corner)]) for corner in corners]
         if len(wires) > 1 and self.component.is_once:
             raise DescriptionError(
                 "the FMU can be instantiated only once in a process, and every corner has its own instance",
@@ -250,17 +250,17 @@ class _Connection:
         return self._output(self.law.output, "")[0]
 
     def _output(self, name: str, corner: str) -> tuple[_VariablePlace, str]:
-        return self._named(name, self.component.outputs, "output"), corner
+        return self._find_variable(name, self.component.outputs, "output"), corner
 
-    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _VariablePlace:
+    def _find_variable(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _VariablePlace:
         where = f"{self.component.path}"
         by_name = {v.name: v for v in variables}
         element = _ELEMENT.fullmatch(name)
         if name in by_name:
-            found, at = by_name[name], None if by_name[name].dimensions else 0
+            variable, at = by_name[name], None if by_name[name].dimensions else 0
         elif element and element[1] in by_name and by_name[element[1]].dimensions:
-            found = by_name[element[1]]
-            at = _element(found, [int(index) for index in element[2].split(",")], f"{where}: {name}")
+            variable = by_name[element[1]]
+            at = _element(variable, [int(index) for index in element[2].split(",")], f"{where}: {name}")
         elif any(v.name in (name, element and element[1]) for v in self.component.structural_parameters):
             raise DescriptionError(
                 "a structural parameter, which sizes the FMU's arrays, keeps its start",
@@ -270,34 +270,34 @@ class _Connection:
             )
         else:
             raise unknown(name, [_elements(v) for v in variables], what=what, where=where)
-        if found.size > _LARGEST:
+        if variable.size > _LARGEST:
             raise DescriptionError(
-                "an array too large", where=f"{where}: {name}", found=found.shape, allowed=f"{_LARGEST} elements"
+                "an array too large", where=f"{where}: {name}", found=variable.shape, allowed=f"{_LARGEST} elements"
             )
-        if what != "parameter" and (at is None or not found.is_number):
+        if what != "parameter" and (at is None or not variable.is_number):
             raise DescriptionError(
                 f"an {what} that is no number",
                 where=f"{where}: {name}",
-                found=found.shape,
-                allowed=f"an element: {_elements(found)}" if found.is_number else ", ".join((*REALS, *WHOLE)),
+                found=variable.shape,
+                allowed=f"an element: {_elements(variable)}" if variable.is_number else ", ".join((*REALS, *WHOLE)),
             )
-        return _VariablePlace(name, found, at)
+        return _VariablePlace(name, variable, at)
 
-    def _wired(self, corner: str, outputs: list[tuple[_VariablePlace, str]]) -> _Wires:
+    def _wire(self, corner: str, outputs: list[tuple[_VariablePlace, str]]) -> _Wires:
         component, channels = self.component, self.setting.units
         given = {name: self._channel(channel, corner) for name, channel in self.law.inputs.items()}
-        places = [self._named(name, component.inputs, "input") for name in given]
+        places = [self._find_variable(name, component.inputs, "input") for name in given]
         for variable in component.inputs:
             channel = qualify(corner, variable.name)
             if variable.name not in given and channel in channels and variable.is_number and not variable.dimensions:
                 given[variable.name] = channel
                 places.append(_VariablePlace(variable.name, variable, 0))
         starts = self._starts(corner)
-        self._tell_left(places)
+        self._report_unconnected(places)
         inputs: list[tuple[_VariablePlace, str]] = []
         to_own: list[tuple[float, float]] = []
         wholes: dict[int, _Whole] = {}
-        for place in sorted(places, key=lambda one: component.inputs.index(one.variable)):
+        for place in sorted(places, key=lambda place: component.inputs.index(place.variable)):
             channel = given[place.name]
             a, b = self._conversion(place, channels[channel])
             if place.variable.is_whole:
@@ -324,20 +324,20 @@ class _Connection:
     def _port(
         self, place: _VariablePlace, starts: Mapping[str, tuple[FmuVariable, list[Any]]]
     ) -> tuple[str, int, int, list[Any]]:
-        """What the caller is told of a wire: all elements of an array are set together, so that it needs them all."""
+        """Specification of a wire for the caller; it has all elements of an array, since they are set together."""
         variable = place.variable
         values = [0] * variable.size
         if variable.name in starts:
             values = starts[variable.name][1]
         elif variable.dimensions and variable.causality == "input":
-            values = self._first(variable)
+            values = self._start_elements(variable)
         return self._kind(variable), variable.reference, place.at or 0, values
 
-    def _tell_left(self, places: list[_VariablePlace]) -> None:
-        """Tell of inputs, and elements of them, that are neither connected nor set."""
+    def _report_unconnected(self, places: list[_VariablePlace]) -> None:
+        """Report inputs, and elements of them, that are neither connected nor set."""
         taken = {(place.variable.name, place.at or 0) for place in places}
         for name in self.law.parameters:
-            place = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            place = self._find_variable(name, (*self.component.parameters, *self.component.inputs), "parameter")
             every = range(place.variable.size) if place.at is None else [place.at]
             taken |= {(place.variable.name, at) for at in every}
         left = []
@@ -353,7 +353,7 @@ class _Connection:
             self.findings += [note] if note not in self.findings else []
 
     def _check_counts(self, places: list[_VariablePlace]) -> None:
-        """Refuse counts of what is not connected, or takes all numbers."""
+        """Refuse counts of variables that are not connected or not integers."""
         wholes = [place.name for place in places if place.variable.is_whole and place.variable.kind != "Boolean"]
         for name in self.law.counts:
             if name not in wholes:
@@ -364,7 +364,7 @@ class _Connection:
                 )
 
     def _kind(self, variable: FmuVariable) -> str:
-        """Type in the name of the functions that set and read it."""
+        """Type as the functions that set and read it name it."""
         if variable.kind != "Enumeration":
             return variable.kind
         return "Int64" if self.component.version == 3 else "Integer"
@@ -393,9 +393,9 @@ class _Connection:
 
     def _starts(self, corner: str) -> dict[str, tuple[FmuVariable, list[Any]]]:
         """Variables that are set before a run, by name, with all their values."""
-        found: dict[str, tuple[FmuVariable, list[Any]]] = {}
+        starts: dict[str, tuple[FmuVariable, list[Any]]] = {}
         for name, given in self.law.parameters.items():
-            place = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            place = self._find_variable(name, (*self.component.parameters, *self.component.inputs), "parameter")
             variable, where = place.variable, f"control: parameters: {name}"
             value = self._own_value(given, corner, where) if isinstance(given, Mapping) else given
             if self._kind(variable) not in caller._TYPES:
@@ -403,19 +403,19 @@ class _Connection:
                     "it cannot be set", where=where, found=variable.shape, allowed="numbers, booleans, texts"
                 )
             if place.at is None:
-                values = _flat(value, variable.dimensions)
+                values = _flatten(value, variable.dimensions)
                 if values is None:
                     text = f"{' x '.join(map(str, variable.dimensions))} values in a list, or {_elements(variable)}"
                     raise DescriptionError("not the values of an array", where=where, found=value, allowed=text)
-                found[variable.name] = variable, [self._value(variable, one, where) for one in values]
+                starts[variable.name] = variable, [self._value(variable, element, where) for element in values]
                 continue
-            if variable.name not in found:
-                found[variable.name] = variable, self._first(variable) if variable.dimensions else [0]
-            found[variable.name][1][place.at] = self._value(variable, value, where)
-        return found
+            if variable.name not in starts:
+                starts[variable.name] = variable, self._start_elements(variable) if variable.dimensions else [0]
+            starts[variable.name][1][place.at] = self._value(variable, value, where)
+        return starts
 
     def _value(self, variable: FmuVariable, value: object, where: str) -> Any:
-        """A value as the FMU has it; a DescriptionError where its type has no such value."""
+        """Convert a value to the variable's type; a DescriptionError where the type cannot hold it."""
         kind = self._kind(variable)
         if kind == "String":
             if not isinstance(value, str) or not _is_text(value):
@@ -434,18 +434,18 @@ class _Connection:
             raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=allowed)
         return int(value)
 
-    def _first(self, variable: FmuVariable) -> list[Any]:
-        """All elements of an array as they are before anyone sets them."""
+    def _start_elements(self, variable: FmuVariable) -> list[Any]:
+        """Start values of all elements of an array."""
         words = {"true": 1, "false": 0}
         texts = variable.start.split() if variable.is_number else []
         try:
             number = float if variable.kind in REALS else int
-            found = [words.get(text) if text in words else number(text) for text in texts]
+            elements = [words.get(text) if text in words else number(text) for text in texts]
         except ValueError:
-            found = []
-        if len(found) == 1:
-            found *= variable.size
-        if len(found) != variable.size:
+            elements = []
+        if len(elements) == 1:
+            elements *= variable.size
+        if len(elements) != variable.size:
             raise DescriptionError(
                 "an array whose elements have no start, so that none can be set alone",
                 where=f"{self.component.path}: {variable.name}",
@@ -453,7 +453,7 @@ class _Connection:
                 allowed=f"{variable.size} values of type {variable.kind}",
                 hint=f"Give all of them: parameters = {{ {variable.name!r} = [...] }}.",
             )
-        return found
+        return elements
 
     def _own_value(self, given: Mapping[str, Any], corner: str, where: str) -> Any:
         """The value of a corner, where a parameter has one for every corner or axle."""
@@ -498,19 +498,19 @@ def _element(variable: FmuVariable, indices: list[int], where: str) -> int:
     return at
 
 
-def _flat(value: object, dimensions: tuple[int, ...]) -> list[Any] | None:
-    """Values of an array, given in lists of lists; None where they are not of these dimensions."""
+def _flatten(value: object, dimensions: tuple[int, ...]) -> list[Any] | None:
+    """Flatten nested lists of these dimensions into the values of an array; None where they do not fit."""
     if not dimensions:
         return [value]
     if not isinstance(value, (list, tuple)) or len(value) != dimensions[0]:
         return None
-    found: list[Any] = []
-    for one in value:
-        part = _flat(one, dimensions[1:])
+    elements: list[Any] = []
+    for row in value:
+        part = _flatten(row, dimensions[1:])
         if part is None:
             return None
-        found += part
-    return found
+        elements += part
+    return elements
 
 
 def _c_type(variable: FmuVariable, version: int) -> Any:
@@ -520,7 +520,7 @@ def _c_type(variable: FmuVariable, version: int) -> Any:
 
 
 def _range(variable: FmuVariable, version: int) -> tuple[int, int]:
-    """Least and greatest value that a type of whole numbers holds."""
+    """Smallest and largest value of an integer type."""
     if variable.kind == "Boolean":
         return 0, 1
     held = _c_type(variable, version)
@@ -529,7 +529,7 @@ def _range(variable: FmuVariable, version: int) -> tuple[int, int]:
 
 
 def _is_text(value: str) -> bool:
-    """Whether C can have a text: in UTF-8, and without a zero, which would end it."""
+    """Whether a text can be a C string: UTF-8 without a zero byte."""
     try:
         return b"\0" not in value.encode()
     except UnicodeEncodeError:
@@ -537,7 +537,7 @@ def _is_text(value: str) -> bool:
 
 
 class _FmuRegulator:
-    """Instances of an FMU as the loop calls them."""
+    """Regulator of an FMU: runs its instances at every control instant."""
 
     def __init__(self, law: FmuControl, setting: RunSetting) -> None:
         component = read_fmu(law.file)
@@ -546,7 +546,7 @@ class _FmuRegulator:
         wires = connection.wires()
         self._file, self._rate = str(component.path), law.rate
         _check_period(component, 1.0 / law.rate)
-        folder = unpacked(component)
+        folder = unpack(component)
         resources = folder / "resources"
         start = {
             "library": str(folder.joinpath(*place.split("/"))),
@@ -556,14 +556,14 @@ class _FmuRegulator:
             "period": 1.0 / law.rate,
         }
         self._tool = (component.tool or "the tool that made it") if component.needs_tool else ""
-        told = [{**start, "starts": one.starts, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
+        specs = [{**start, "starts": wire.starts, "inputs": wire.inputs, "outputs": wire.outputs} for wire in wires]
         self._notes = connection.findings
-        begins = [sum(len(one.inputs) for one in wires[:i]) for i in range(len(wires))]
+        begins = [sum(len(wire.inputs) for wire in wires[:i]) for i in range(len(wires))]
         self._wholes = {
-            begin + at: whole for begin, one in zip(begins, wires, strict=True) for at, whole in one.wholes.items()
+            begin + at: whole for begin, wire in zip(begins, wires, strict=True) for at, whole in wire.wholes.items()
         }
         self.from_rest = law.from_rest
-        measured = [channel for one in wires for channel in one.channels]
+        measured = [channel for wire in wires for channel in wire.channels]
         instead = getattr(law.actuator, "in_place_of", None)
         own, speeds = _channels(setting, f"actuator.{OWN}"), _channels(setting, _SPEED)
         if instead is not None:
@@ -579,28 +579,28 @@ class _FmuRegulator:
         self._pushed, self._cut = False, 0
         self._extrapolates = law.hold == "first"
         self._before: list[float] = []
-        self._to_own = _conversions([pair for one in wires for pair in one.to_own])
-        self._to_si = _conversions([pair for one in wires for pair in one.to_si])
+        self._to_own = _conversions([pair for wire in wires for pair in wire.to_own])
+        self._to_si = _conversions([pair for wire in wires for pair in wire.to_si])
         self._limits = CommandLimits(setting.controllers)
-        said = trust_said()
-        self._told, self._is_trusted = told, law.trusted if said is None else said
-        if law.trusted and said is False:
+        trusted_here = trust_said()
+        self._specs, self._is_trusted = specs, law.trusted if trusted_here is None else trusted_here
+        if law.trusted and trusted_here is False:
             self._notes.append(finding("control.not_trusted", self._file))
         self._instances: _Instances | None = None
         self._instant = 0
 
     @property
     def findings(self) -> list[Finding]:
-        """What is not connected or has no unit, and what the FMU wrote."""
-        written = self._instances.written() if isinstance(self._instances, _FmuProcess) else []
-        told = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
+        """Findings on inputs without connection or unit, on cut forces, and on files that the FMU wrote."""
+        written = self._instances.written_files() if isinstance(self._instances, _FmuProcess) else []
+        findings = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
         if self._cut:
-            told.append(finding("control.force_cut", self._file, instants=self._cut))
+            findings.append(finding("control.force_cut", self._file, instants=self._cut))
         if self._pushed:
-            told.append(finding("control.force_off_road", self._file))
+            findings.append(finding("control.force_off_road", self._file))
         if not written:
-            return told
-        return [*told, finding("control.files_written", self._file, files=", ".join(written))]
+            return findings
+        return [*findings, finding("control.files_written", self._file, files=", ".join(written))]
 
     def start(self) -> None:
         """Begin a run."""
@@ -611,58 +611,58 @@ class _FmuRegulator:
         self._instant, self._cut, self._pushed = 0, 0, False
         try:
             if self._instances is None:
-                self._instances = self._made()
+                self._instances = self._make_instances()
                 weakref.finalize(self, self._instances.close)
             self._instances.start()
         except caller.FmuFailedError as error:
-            raise self._failed(error) from None
+            raise self._failure(error) from None
 
-    def _made(self) -> _Instances:
-        return caller.Instances(self._told) if self._is_trusted else _FmuProcess(self._told, whole=bool(self._tool))
+    def _make_instances(self) -> _Instances:
+        return caller.Instances(self._specs) if self._is_trusted else _FmuProcess(self._specs, whole=bool(self._tool))
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
         rest = values[self._count : -1]
         del values[self._count :]  # the time, too
-        told = forces = self._told_at(values)
+        demands = forces = self._step(values)
         self._instant += 1
         if self._own:
-            told = [self._beyond(*of_one) for of_one in zip(forces, rest, rest[self._own :], strict=False)]
-        held = told
+            demands = [self._excess(*of_one) for of_one in zip(forces, rest, rest[self._own :], strict=False)]
+        held = demands
         if self._extrapolates:
-            held = [1.5 * now - 0.5 * before for now, before in zip(told, self._before or told, strict=True)]
-            self._before = told
-        kept = self._limits.kept(held)
+            held = [1.5 * now - 0.5 * before for now, before in zip(demands, self._before or demands, strict=True)]
+            self._before = demands
+        commands = self._limits.apply(held)
         if self._work is not None:
-            self._cut += kept != held
-            self._work.add(forces, told, kept, rest[self._own :])
-        return kept
+            self._cut += commands != held
+            self._work.add(forces, demands, commands, rest[self._own :])
+        return commands
 
-    def _beyond(self, force: float, own: float, rate: float) -> float:
-        """What a force (N) is more than that of the rig's own element, which is compressed at a rate (m/s)."""
+    def _excess(self, force: float, own: float, rate: float) -> float:
+        """Difference of a force (N) from that of the rig's own element, which is compressed at a rate (m/s)."""
         if self._place == "tyre" and own == 0.0:  # off the ground: its own force begins where they meet
             self._pushed = self._pushed or (rate <= 0.0 and force > _TOUCH)
             return 0.0
         return force - own
 
-    def _told_at(self, values: list[float]) -> list[float]:
-        """Commands (SI) of one step from its measurements."""
+    def _step(self, values: list[float]) -> list[float]:
+        """Step the instances: commands (SI) from measurements."""
         assert self._instances is not None
         if self._to_own is not None:
             values = [a * value + b for value, (a, b) in zip(values, self._to_own, strict=True)]
         if self._wholes:
             for at, whole in self._wholes.items():
-                values[at] = whole.kept(values[at], self._now())
+                values[at] = whole.apply(values[at], self._now())
         try:
             commands = self._instances.step(values)
         except caller.FmuFailedError as error:
-            raise self._failed(error) from None
+            raise self._failure(error) from None
         if self._to_si is not None:
             commands = [a * value + b for value, (a, b) in zip(commands, self._to_si, strict=True)]
         return commands
 
     def answer(self, rest: Array) -> tuple[Array, Array]:
-        """Slopes at rest of (commands, memory) along memory and measurements: of what follows from these at once."""
+        """Slopes at rest of (commands, memory) along memory and measurements, of the immediate response only."""
         columns = []
         for i, usual in enumerate(self._probes):
             ends = []
@@ -677,7 +677,7 @@ class _FmuRegulator:
                 self.start()
                 values = rest[: self._count].tolist()
                 values[i] += sign * probe
-                ends.append(self._told_at(values))
+                ends.append(self._step(values))
             columns.append((np.array(ends[0]) - np.array(ends[1])) / (2.0 * probe))
         count, silent = len(self._limits.last), len(self.channels) - self._count - self._own
         slopes = np.column_stack([*columns, *-np.eye(count)[: self._own], *[np.zeros(count)] * silent])
@@ -685,7 +685,7 @@ class _FmuRegulator:
             return np.zeros((count, 0)), slopes
         return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
 
-    def _failed(self, error: Exception) -> SimulationError:
+    def _failure(self, error: Exception) -> SimulationError:
         hint = f"It needs {self._tool} on this machine." if self._tool and not self._instant else ""
         return SimulationError(str(error), where=self._now(), hint=hint)
 
@@ -698,12 +698,12 @@ _TOUCH = 1e-6  # N that a tyre off the ground may give by rounding
 
 
 def _channels(setting: RunSetting, name: str) -> list[str]:
-    """A channel of every corner."""
+    """Names of a channel at all corners."""
     return [qualify(corner, name) for corner in setting.controllers]
 
 
 class _HeldWork:
-    """Work (J) of forces of which all or a part is held for a period, beside that of the forces themselves."""
+    """Work (J) of forces that are held for a period, wholly or in part, compared with that of the forces themselves."""
 
     def __init__(self, period: float, count: int, what: str = "force") -> None:
         self._period, self._zeros, self._what = period, [0.0] * count, what
@@ -714,19 +714,19 @@ class _HeldWork:
         self._through = self._made = 0.0
         self._last = (self._zeros,) * 4
 
-    def add(self, forces: list[float], told: list[float], held: list[float], speeds: list[float]) -> None:
+    def add(self, forces: list[float], demands: list[float], held: list[float], speeds: list[float]) -> None:
         """Add a period that ends with these ``forces`` (N) of the FMU and speeds (m/s).
 
-        ``told`` is the part of the forces that is held, ``held`` what it is in the next period.
+        ``demands`` is the part of the forces that is held, ``held`` its value in the next period.
         """
         half = 0.5 * self._period
-        for whole, force, speed, w, f, h, v in zip(forces, told, speeds, *self._last, strict=True):
+        for whole, force, speed, w, f, h, v in zip(forces, demands, speeds, *self._last, strict=True):
             self._made += half * (h * (v + speed) - _along_lines(f, v, force, speed))
             self._through += half * abs(_along_lines(w, v, whole, speed))
-        self._last = (forces, told, held, speeds)
+        self._last = (forces, demands, held, speeds)
 
     def findings(self, where: str) -> list[Finding]:
-        """What holding made of the work."""
+        """Findings on the work that holding adds or removes."""
         if not self._through:
             return []
         share = abs(self._made) / self._through
@@ -742,7 +742,7 @@ def _along_lines(f: float, v: float, force: float, speed: float) -> float:
 
 
 def _conversions(pairs: list[tuple[float, float]]) -> list[tuple[float, float]] | None:
-    """Conversions, or None where all of them change nothing."""
+    """Conversions, or None where all of them are identities."""
     return None if all(pair == (1.0, 0.0) for pair in pairs) else pairs
 
 
@@ -759,7 +759,7 @@ def _check_period(component: FmuComponent, period: float) -> None:
 
 
 class _Instances(Protocol):
-    """Instances, wherever they run."""
+    """Instances of an FMU, in this process or in another."""
 
     def start(self) -> None:
         """Begin a run."""
@@ -772,14 +772,14 @@ class _Instances(Protocol):
 
 
 class _FmuProcess:
-    """Instances in a process of their own, which works in a folder that goes with it.
+    """Instances in a child process with its own working folder, which is removed with it.
 
-    A ``whole`` Python has its packages, which FMUs import that are written in it.
+    A ``whole`` Python can import its site packages: FMUs that are written in Python need them.
     """
 
-    def __init__(self, told: list[dict[str, Any]], *, whole: bool = False) -> None:
+    def __init__(self, specs: list[dict[str, Any]], *, whole: bool = False) -> None:
         self._inputs, self._outputs = (
-            struct.Struct(f"={sum(len(one[word]) for one in told)}d") for word in ("inputs", "outputs")
+            struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d") for word in ("inputs", "outputs")
         )
         self._place = working_folder()
         self._folder = self._place.__enter__()
@@ -791,7 +791,7 @@ class _FmuProcess:
         except ResourceError:
             self._place.__exit__(None, None, None)
             raise
-        self._send(json.dumps(told).encode() + b"\n")
+        self._send(json.dumps(specs).encode() + b"\n")
 
     def start(self) -> None:
         """Begin a run."""
@@ -801,8 +801,8 @@ class _FmuProcess:
         """Outputs from inputs."""
         return self._ask(b"x" + self._inputs.pack(*values))
 
-    def written(self) -> list[str]:
-        """Names of the first files that the FMU wrote where it runs."""
+    def written_files(self) -> list[str]:
+        """Names of the first files that the FMU wrote into its working folder."""
         return sorted(file.name for file in self._folder.iterdir())[:_NAMED] if self._folder.is_dir() else []
 
     def _ask(self, question: bytes) -> list[float]:
@@ -810,14 +810,14 @@ class _FmuProcess:
         head = self._read(1, _PATIENCE)
         if head == b"-":
             raise caller.FmuFailedError(self._read(int.from_bytes(self._read(8), "little")).decode(errors="replace"))
-        found = self._outputs.unpack(self._read(self._outputs.size))
-        return list(found)
+        outputs = self._outputs.unpack(self._read(self._outputs.size))
+        return list(outputs)
 
     def _send(self, content: bytes) -> None:
         try:
             self._process.send(content)
         except OSError:
-            raise self._fate() from None
+            raise self._crash() from None
 
     def _read(self, count: int, patience: float | None = None) -> bytes:
         try:
@@ -826,9 +826,9 @@ class _FmuProcess:
             self._process.kill()
             raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended") from None
         except EOFError:
-            raise self._fate() from None
+            raise self._crash() from None
 
-    def _fate(self) -> caller.FmuFailedError:
+    def _crash(self) -> caller.FmuFailedError:
         code = self._process.process.wait()
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
         return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
