@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
+from statistics import median
 from typing import Annotated, Literal
 
 import xarray as xr
@@ -37,6 +38,8 @@ _SLIP_BEYOND = 0.005
 """Share by which the speed from recurrence may differ from that of the pulses before slip is said: what radius and
 length of a belt are known to."""
 
+SPEED_CODES = ("identify.other_speed", "campaign.belt_and_pulses_differ", "campaign.other_speed_than_noted")
+"""Findings about the speed of one trial."""
 _LARGEST_SLIP = 0.1
 """Share that a flat belt slips by at most without being seen or heard."""
 
@@ -243,14 +246,57 @@ def exchanged(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
     noted = {number: facts.noted for number, facts in trials.items() if facts.noted is not None}
     findings = []
     for first, second in combinations(noted, 2):
-        own, other = trials[first], trials[second]
-        apart = abs(noted[first] / noted[second] - 1.0)
-        crossed = max(abs(own.speed / noted[second] - 1.0), abs(other.speed / noted[first] - 1.0))
-        if apart > 2.0 * _SAME_SPEED and crossed < _SAME_SPEED:
+        speeds = trials[first].speed, trials[second].speed
+        straight, crossed = (
+            [abs(speed / noted[number] - 1.0) for speed, number in zip(speeds, order, strict=True)]
+            for order in ((first, second), (second, first))
+        )
+        if min(straight) > _NOTED and max(crossed) < min(_SAME_SPEED, _MUCH_NEARER * min(straight)):
             place = f"trials {first} and {second}"
-            findings.append(finding("campaign.trials_exchanged", place, first=own.speed, second=other.speed))
+            findings.append(finding("campaign.trials_exchanged", place, first=speeds[0], second=speeds[1]))
     return findings
 
 
+_NOTED = 0.01
+"""Share by which the speed of a trial is off before another trial's is looked for: they are noted with two decimals,
+and a belt is steady to half a per cent."""
 _SAME_SPEED = 0.02
-"""Share by which a noted speed and that of the recurrence differ at most: speeds are noted with two decimals."""
+"""Share by which a noted speed and that of the recurrence of the right trial differ at most, with slip."""
+_MUCH_NEARER = 1.0 / 3.0
+"""Share of the difference to a trial's own noted speed, below which that of the other one is its own."""
+
+
+def common_speed_errors(trials: Mapping[int, TrialOnBelt], length: float) -> tuple[list[Finding], bool]:
+    """Say once what makes the speeds of all trials differ by one factor; whether the belt's length is in doubt.
+
+    The speed of the recurrence counts on the belt's ``length`` (m). Pulses count on radius and marks, noted speeds on
+    the drive: where both say the same, or there are no pulses, the length is wrong; where the noted speeds agree with
+    the recurrence, the pulses are.
+    """
+    noted = _common_factor([(facts.speed, facts.noted) for facts in trials.values()])
+    pulses = _common_factor([(facts.speed, facts.pulses) for facts in trials.values()])
+    if noted is not None and _is_off(noted) and (pulses is None or abs(pulses / noted - 1.0) < _SAME_SPEED):
+        return [finding("campaign.belt_length_off", "belt", length, length=length, fits=length / noted)], True
+    if pulses is not None and _is_off(pulses) and noted is not None and not _is_off(noted):
+        return [finding("campaign.pulses_off", "belt", pulses, factor=pulses)], False
+    return [], False
+
+
+def _is_off(factor: float) -> bool:
+    """Whether a factor on speeds is neither one nor slip."""
+    return not 1.0 - _LARGEST_SLIP < factor < 1.0 + _SAME_SPEED
+
+
+def _common_factor(pairs: Sequence[tuple[float, float | None]]) -> float | None:
+    """The factor between speeds and others that all pairs have in common; None without one, or with one pair only."""
+    factors = [speed / other for speed, other in pairs if other]
+    if len(factors) < _FEWEST_ALIKE:
+        return None
+    middle = median(factors)
+    alike = sum(abs(factor / middle - 1.0) < _SAME_SPEED for factor in factors)
+    return middle if alike >= _MOST_ALIKE * len(factors) else None
+
+
+_FEWEST_ALIKE = 3
+_MOST_ALIKE = 0.8
+"""Trials, and share of them, that must have a factor in common: one or two may be exchanged or misread."""

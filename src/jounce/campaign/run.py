@@ -12,7 +12,15 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from jounce.campaign.belt import PULSES, TrialOnBelt, exchanged, placed, with_recurrence
+from jounce.campaign.belt import (
+    PULSES,
+    SPEED_CODES,
+    TrialOnBelt,
+    common_speed_errors,
+    exchanged,
+    placed,
+    with_recurrence,
+)
 from jounce.campaign.characterise import (
     SPRUNG_MASS,
     Characterisation,
@@ -399,6 +407,7 @@ class Runner:
                     self.fit_trial(item, knowledge), item.entry.speed, item.entry.passage, item.pulses
                 )
             except ObstacleNotFoundError as error:
+                assert error.sought is not None
                 self.sought[number] = error.sought
                 code = "campaign.trial_left_out" if self.campaign.belt else "campaign.obstacle_not_seen"
                 said = str(error).removeprefix(f"{name}: ")
@@ -414,8 +423,18 @@ class Runner:
             if facts is not None:
                 self.sensors[number] = trial.sensors
                 self.loaded[number] = replace(item, trial=trial.trial, measured=trial.measured, facts=facts)
-            self.findings += [at_place(f"{name}: {one.place}".removesuffix(f": {name}"), one) for one in findings]
-        self.findings += exchanged({number: item.facts for number, item in self.loaded.items() if item.facts})
+            self.findings += [
+                item if item.place.startswith(name) else at_place(f"{name}: {item.place}", item) for item in findings
+            ]
+        on_belt = {number: item.facts for number, item in self.loaded.items() if item.facts}
+        if self.campaign.belt is not None:
+            common, is_in_doubt = common_speed_errors(on_belt, self.campaign.belt.length)
+            if common:  # said once, and not of every trial again
+                self.findings[:] = [item for item in self.findings if item.code not in SPEED_CODES] + common
+            if is_in_doubt:
+                self.loaded.clear()
+                return
+        self.findings += exchanged(on_belt)
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
@@ -442,7 +461,8 @@ class Runner:
                 )
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(finding("campaign.update_left_out", entry.name, error=reason(error)))
+                said = reason(error).removeprefix(f"{entry.name}: ")
+                self.findings.append(finding("campaign.update_left_out", entry.name, error=said))
         return list(done.values())
 
     def set_up(

@@ -111,9 +111,7 @@ class Sought(Shown):
 class ObstacleNotFoundError(FitError):
     """An obstacle that a record does not show; ``sought`` is what was looked for."""
 
-    def __init__(self, sought: Sought, what: str, **parts: Any) -> None:
-        self.sought = sought
-        super().__init__(what, **parts)
+    sought: Sought | None = None
 
 
 def find_passages(
@@ -184,16 +182,23 @@ def find_passages(
     ahead = round(expected.lead / step)
     like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
     at, sign = _peaks(like, power, step, expected.period)
+    signs = np.ones(len(names))
+    if not len(at):  # channels of opposite signs hide each other
+        signs = _signs(recorded, expected.window(names, expected.length), ahead)
+        recorded = signs[:, None] * recorded
+        like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
+        at, sign = _peaks(like, power, step, expected.period)
     if not len(at):
-        raise ObstacleNotFoundError(
-            _sought(data, names, expected, like, step),
+        error = ObstacleNotFoundError(
             "the obstacle is not found in the record",
             where=name,
-            found=f"at best a correlation of {float(np.max(np.abs(like), initial=0.0)):.2f}",
+            found=f"at best a correlation of {float(np.max(sign * like)):.2f}, and little of the motion there",
             allowed=f"{_LIKE:g} or more with the model's response to {_of(road)} at {velocity:.3g} m/s "
             f"in {', '.join(names)}",
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
         )
+        error.sought = _sought(data, names, expected, like, step)
+        raise error
     onset = sign * _likeness(recorded, expected.window(names, expected.onset), ahead)[0]
     samples = None if expected.period is None else expected.period / step
     whole = np.arange(len(onset)) - ahead
@@ -201,7 +206,7 @@ def find_passages(
     at = _at_onset(onset, surest, at, expected.length - ahead, round(_NEAR / step), samples)
     times = time[0] + step * (at - ahead + _fractions(onset, at)) + expected.lead
     values = tuple(float(onset[i]) for i in at)
-    findings = list(_sign_finding(sign, names, name))
+    findings = _sign_findings(sign * signs, names, name)
     if road.recurrence is None:
         again = _met_again(onset, like * sign * power, int(at[0]), expected.length)
         if len(again):
@@ -450,10 +455,16 @@ def _fractions(like: Array, at: np.ndarray) -> Array:
     return np.clip(fraction, -0.5, 0.5)
 
 
-def _sign_finding(sign: int, names: Sequence[str], where: str) -> list[Finding]:
-    if sign > 0:
-        return []
-    return [finding("identify.upside_down", f"{where}: {', '.join(names)}")]
+def _signs(recorded: Array, window: Array, ahead: int) -> Array:
+    """Sign of each channel where all of them together, each by its size, are most like the model's response."""
+    each = [_likeness(row[None, :], wanted[None, :], ahead) for row, wanted in zip(recorded, window, strict=True)]
+    best = int(np.argmax(sum(np.abs(like) * power**2 for like, power in each)))
+    return np.array([-1.0 if like[best] < 0.0 else 1.0 for like, _ in each])
+
+
+def _sign_findings(signs: Array, names: Sequence[str], where: str) -> list[Finding]:
+    turned = [name for name, sign in zip(names, signs, strict=True) if sign < 0.0]
+    return [finding("identify.upside_down", f"{where}: {', '.join(turned)}")] if turned else []
 
 
 # loops ----------------------------------------------------------------------------------------------------------------

@@ -274,6 +274,7 @@ def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> 
     with pytest.raises(ObstacleNotFoundError) as refused:
         find_passages(quiet, RIG, on_belt(ONE), 1.95)
     sought = refused.value.sought
+    assert sought is not None
     assert set(sought.record.data_vars) == set(names)
     at = sought.response["time"].to_numpy()
     inside = (at >= 0.0) & (at <= time[-1])
