@@ -60,6 +60,7 @@ from jounce.recordings.pulses import PulseSpeed
 from jounce.recordings.quality import FEWEST_SAMPLES
 from jounce.recordings.sensors import check_sensors
 from jounce.roads import Excitation, Road, Train, Trial, read_roads
+from jounce.roads.trial import road_findings
 from jounce.simulation.compiled import compile_rig
 
 _POSES, _LEAST_TRAVEL = 25, 1e-3  # of the wheel against the body, m
@@ -144,6 +145,8 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
     findings = rig_findings(rig, rig_file.name)
+    for name, road in roads.items():
+        findings += road_findings(road, f"roads.{name}")
     for check in checks_of(campaign, rig, file):
         findings += check()
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
@@ -407,11 +410,11 @@ class Runner:
                     self.fit_trial(item, knowledge), item.entry.speed, item.entry.passage, item.pulses
                 )
             except ObstacleNotFoundError as error:
-                assert error.sought is not None
-                self.sought[number] = error.sought
+                if error.sought is not None:
+                    self.sought[number] = error.sought
                 code = "campaign.trial_left_out" if self.campaign.belt else "campaign.obstacle_not_seen"
                 said = str(error).removeprefix(f"{name}: ")
-                self.findings.append(finding(code, name, error.sought.likeness, error=said))
+                self.findings.append(finding(code, name, error=said))
                 if self.campaign.belt:
                     del self.loaded[number]
                 continue

@@ -346,6 +346,7 @@ def _check_campaign(check: FileCheck) -> None:
     from jounce.parts import load
     from jounce.parts.files import rig_named_in
     from jounce.roads import read_roads
+    from jounce.roads.trial import road_findings
 
     campaign, text = load_campaign(check.file)
     folder, where = check.file.parent, str(check.file)
@@ -361,6 +362,8 @@ def _check_campaign(check: FileCheck) -> None:
     roads: dict[str, Any] = dict.fromkeys(campaign.roads)
     with check.step():
         roads = dict(read_roads(campaign.roads, where=where, text=text, folder=folder))
+        for name, road in roads.items():
+            check.notes += road_findings(road, f"{where}: roads.{name}")
     for entry in campaign.trial:
         place = f"{where}: trial {entry.number}"
         if entry.road is not None and entry.road not in roads:

@@ -36,6 +36,7 @@ from jounce.roads.measured import (
     file_profile,
     point_profile,
 )
+from jounce.roads.obstacles import HalfSine, Train, Versine
 from jounce.roads.profile import Profile, laid_out
 from jounce.roads.road import Road, SampledRoad
 from jounce.roads.rough import Iso8608
@@ -611,7 +612,17 @@ def road_findings(road: Road, place: str = "") -> list[Finding]:
     if isinstance(road, SampledRoad):
         return []
     start = f"{place}: " if place else ""
-    return [at_place(f"{start}{item.place}", item) for item in questions(road)]
+    found = [at_place(f"{start}{item.place}", item) for item in questions(road)]
+    while isinstance(road, Train):
+        road = road.of
+    if isinstance(road, (HalfSine, Versine)) and abs(road.height) > _STEEPEST * road.length:
+        numbers = {"height": road.height, "length": road.length}
+        found.append(finding("roads.higher_than_long", f"{start}height", road.height, **numbers))
+    return found
+
+
+_STEEPEST = 1.0
+"""Height over length of a rounded obstacle, above which a wheel meets a step: one of the two has a slip in its unit."""
 
 
 def _road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:

@@ -282,3 +282,16 @@ def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> 
     wanted = [sought.response[name].to_numpy()[inside] for name in names]
     like = [np.corrcoef(part, want)[0, 1] for part, want in zip(parts, wanted, strict=True)]
     assert abs(np.mean(like)) > sought.likeness > 0.1  # which counts quiet parts as loud: by chance it is 0.0
+
+
+@pytest.mark.parametrize("turned", ["sprung.az", "unsprung.az"])
+def test_one_sensor_upside_down_is_named(turned: str) -> None:
+    road = on_belt(ONE)
+    data = record(road, 1.95)
+    data[turned] = -data[turned]
+    data[turned].attrs = {"units": "m/s^2"}
+    found = find_passages(data, RIG, road, 1.95, name="trial 2")
+    assert len(found.times) in (4, 5)
+    if found.findings:  # the body alone leaves enough of the wheel to find the passages by
+        assert [(item.code, item.place) for item in found.findings] == [("identify.upside_down", f"trial 2: {turned}")]
+    assert found.findings or turned == "sprung.az"
