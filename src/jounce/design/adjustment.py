@@ -41,7 +41,7 @@ class Adjustment(Plain):
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What to know of it."""
+        """Findings of the report."""
         return self.report.findings
 
     @property

@@ -31,7 +31,7 @@ from jounce.simulation import equilibrium
 
 
 def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
-    """Doubts about settings (SI): angles that were not built or are too steep."""
+    """Report doubtful settings (SI): angles that the prototype did not have or that are too steep."""
     if "strut_angle" not in values:
         return []
     angle = values["strut_angle"]
@@ -99,7 +99,7 @@ class WheelState:
 
 @dataclass(frozen=True)
 class Effect:
-    """What one setting does.
+    """Effect of one setting.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ class Effect:
 
 @dataclass(frozen=True)
 class OverTravel:
-    """Quantities (SI) over wheel travel (m, bump positive), NaN where the wheel does not get to."""
+    """Quantities (SI) over wheel travel (m, bump positive), NaN where the linkage does not reach."""
 
     travel: tuple[float, ...]
     before: dict[str, tuple[float, ...]]
@@ -169,9 +169,9 @@ class Lengths(Shown):
     others: Mapping[str, float] = field(default_factory=dict)
 
     def settings(self) -> dict[str, float]:
-        """Those that are not zero, as ``adjusted`` takes them."""
-        found = {name: getattr(self, name) for name in _LENGTHS} | dict(self.others)
-        return {name: value for name, value in found.items() if value != 0.0}
+        """Settings that are not zero, as ``adjusted`` takes them."""
+        lengths = {name: getattr(self, name) for name in _LENGTHS} | dict(self.others)
+        return {name: value for name, value in lengths.items() if value != 0.0}
 
 
 def wheel_state(rig: Corner) -> WheelState:
@@ -225,16 +225,16 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     changed, rig = adjusted(rig, values), corner_of(rig)
     before = wheel_state(rig)
     findings = adjustment_findings(values)
-    found: list[Effect] = []
+    effects_by_setting: list[Effect] = []
     for setting in (item for item in SETTINGS.values() if effects and item.fits(rig)):
         try:
-            found.append(_effect(rig, setting, findings))
+            effects_by_setting.append(_effect(rig, setting, findings))
         except JounceError as error:
             findings.append(finding("design.not_available", setting.name, error=error))
     after = wheel_state(changed) if values else before
     first = _over_travel(rig)
     over = OverTravel(_TRAVELS, first, _over_travel(changed) if values else first)
-    return AdjustReport(values, before, after, changed, tuple(found), over, tuple(findings))
+    return AdjustReport(values, before, after, changed, tuple(effects_by_setting), over, tuple(findings))
 
 
 def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
@@ -300,14 +300,15 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     wished = {
         name: to_si(value, "rad", where=name) for name, value in (("camber", camber), ("toe", toe)) if value is not None
     }
-    ways, turning = _cambering(corner, wished.get("camber")), _TOE_LENGTHS[type(corner)]
-    for way in ways if camber is not None else ways[:1]:  # the tie rod turns the wheel a little, too
-        names = [{"camber": way, "toe": turning}[name] for name in wished]
+    camber_lengths, toe_length = _camber_lengths(corner, wished.get("camber")), _TOE_LENGTHS[type(corner)]
+    # The tie rod changes the camber a little, too: all lengths are tried where a camber is wanted.
+    for camber_length in camber_lengths if camber is not None else camber_lengths[:1]:
+        names = [{"camber": camber_length, "toe": toe_length}[name] for name in wished]
         lengths = _solve(corner, wished, names)
         if lengths is not None:
             break
     else:
-        raise _out_of_reach(corner, wished, {"camber": ways, "toe": [turning]})
+        raise _unreachable(corner, wished, {"camber": camber_lengths, "toe": [toe_length]})
     wheel = adjusted(corner, lengths).wheel
     every = {name: lengths.pop(name, 0.0) for name in _LENGTHS}
     return Lengths(**every, camber=wheel.camber, toe=wheel.toe, others=lengths)
@@ -321,8 +322,8 @@ _TOE_LENGTHS: Mapping[type[Corner], str] = {
 _PROBE = 1e-4  # m
 
 
-def _cambering(rig: Corner, camber: float | None) -> list[str]:
-    """Lengths that set the camber, those first that are taken first."""
+def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:
+    """Lengths that set the camber, in the order in which they are tried."""
     if isinstance(rig, McPherson):
         return ["camber_plate"]
     if isinstance(rig, DoubleWishbone):
@@ -336,12 +337,12 @@ def _cambering(rig: Corner, camber: float | None) -> list[str]:
 
 
 def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[str, float] | None:
-    """Newton with bounds; None when it ends at a bound or the linkage does not go together."""
+    """Newton with bounds; None when it ends at a bound or the linkage cannot be assembled."""
     low, high = (np.array([getattr(SETTINGS[name], end) for name in names]) for end in ("lowest", "highest"))
     target = np.array(list(wished.values()))
 
     def miss(lengths: Array) -> Array:
-        wheel = adjusted(rig, _named(names, lengths)).wheel
+        wheel = adjusted(rig, _by_name(names, lengths)).wheel
         return np.asarray([getattr(wheel, name) for name in wished] - target, dtype=float)
 
     lengths = np.clip(np.zeros(len(names)), low, high)
@@ -349,7 +350,7 @@ def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[s
         try:
             missed = miss(lengths)
             if np.max(np.abs(missed)) < _CLOSE:
-                return _named(names, lengths)
+                return _by_name(names, lengths)
             inward = np.where(lengths + _NUDGE > high, -_NUDGE, _NUDGE)
             columns = [(miss(lengths + step) - missed) / step.sum() for step in np.diag(inward)]
             lengths = np.clip(lengths - np.linalg.solve(np.column_stack(columns), missed), low, high)
@@ -358,37 +359,37 @@ def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[s
     return None
 
 
-def _named(names: list[str], lengths: Array) -> dict[str, float]:
+def _by_name(names: list[str], lengths: Array) -> dict[str, float]:
     return {name: float(value) for name, value in zip(names, lengths, strict=True)}
 
 
-def _out_of_reach(rig: Corner, wished: Mapping[str, float], ways: Mapping[str, list[str]]) -> DescriptionError:
-    """Say what the lengths reach."""
+def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[str, list[str]]) -> DescriptionError:
+    """Error that states what the lengths reach."""
     texts, used = [], list[str]()
     for name in wished:
         ends = []
-        for way in ways[name]:
-            for end in (SETTINGS[way].lowest, SETTINGS[way].highest):
+        for setting in candidates[name]:
+            for end in (SETTINGS[setting].lowest, SETTINGS[setting].highest):
                 try:
-                    ends.append(float(getattr(adjusted(rig, {way: end}).wheel, name)))
+                    ends.append(float(getattr(adjusted(rig, {setting: end}).wheel, name)))
                 except JounceError:
                     continue
-            used.append(f"{way} {shown(SETTINGS[way].lowest, 'm')} to {shown(SETTINGS[way].highest, 'm')}")
+            used.append(f"{setting} {shown(SETTINGS[setting].lowest, 'm')} to {shown(SETTINGS[setting].highest, 'm')}")
         texts.append(f"{name} from {shown(min(ends), 'rad')} to {shown(max(ends), 'rad')}" if ends else f"no {name}")
-    found = ", ".join(f"{name} {shown(value, 'rad')}" for name, value in wished.items())
+    wishes = ", ".join(f"{name} {shown(value, 'rad')}" for name, value in wished.items())
     return DescriptionError(
         "the published adjustment range does not reach this"
         if isinstance(rig, DoubleWishbone)
         else "the lengths do not reach this",
         where=", ".join(wished),
-        found=found,
+        found=wishes,
         allowed=f"about {' and '.join(texts)}, each by itself ({', '.join(used)})",
         hint="Use wedges (camber_wedge, toe_wedge) for the rest.",
     )
 
 
 def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect:
-    """Take a setting over its range; notes where the linkage does not go together are added to ``findings``."""
+    """Vary a setting over its range; add a finding to ``findings`` where the linkage cannot be assembled."""
     base, (lowest, highest) = setting.base(rig), setting.range_for(rig)
 
     def at(value: float) -> WheelState | None:
@@ -401,17 +402,17 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
             return None
 
     step = _STEP * (highest - lowest)
-    one, other = (float(np.clip(base + sign * step, lowest, highest)) for sign in (-1.0, 1.0))
+    low, high = (float(np.clip(base + sign * step, lowest, highest)) for sign in (-1.0, 1.0))
     if setting.name == "short_upper_arm":  # the block comes with any short arm: compare two of them
-        one, other = highest - 2.0 * step, highest - step
-    per_unit = _slopes(at(one), at(other), other - one)
+        low, high = highest - 2.0 * step, highest - step
+    per_unit = _slopes(at(low), at(high), high - low)
     return Effect(setting.name, setting.unit, lowest, base, highest, at(lowest), at(highest), per_unit)
 
 
-def _slopes(one: WheelState | None, other: WheelState | None, step: float) -> dict[str, float | None]:
+def _slopes(low: WheelState | None, high: WheelState | None, step: float) -> dict[str, float | None]:
     """Change of every quantity for one unit of a setting."""
-    found: dict[str, float | None] = {}
+    slopes: dict[str, float | None] = {}
     for name in QUANTITIES:
-        first, second = getattr(one, name, None), getattr(other, name, None)
-        found[name] = None if first is None or second is None or step == 0.0 else float(second - first) / step
-    return found
+        first, second = getattr(low, name, None), getattr(high, name, None)
+        slopes[name] = None if first is None or second is None or step == 0.0 else float(second - first) / step
+    return slopes

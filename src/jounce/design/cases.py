@@ -51,7 +51,7 @@ _STATISTICS = ("mean", "p95")
 
 @dataclass(frozen=True)
 class KinematicEvaluator:
-    """Quantities of a 3-D corner over wheel travel (m): value at design, range, greatest and least; by differences."""
+    """Quantities of a 3-D corner over wheel travel (m): value at design, range, maximum and minimum; by differences."""
 
     rig: Corner
     paths: tuple[str, ...]
@@ -76,7 +76,7 @@ class KinematicEvaluator:
     def _numbers(self, values: Array) -> Array:
         rig = self.rig.with_changes(dict(zip(self.paths, map(float, values), strict=True)))
         swept = sweep_travel(rig, self.travel)
-        found = []
+        numbers = []
         for metric in self.metrics:
             curve = swept[metric.channels[0]].to_numpy()
             if not np.all(np.isfinite(curve)):
@@ -85,13 +85,13 @@ class KinematicEvaluator:
                 "value": float(np.interp(0.0, self.travel, curve)), "range": float(np.ptp(curve)),
                 "max": float(np.max(curve)), "min": float(np.min(curve)),
             }  # fmt: skip
-            found.append(number[metric.kind])
-        return np.array(found)
+            numbers.append(number[metric.kind])
+        return np.array(numbers)
 
 
 @dataclass(frozen=True)
 class OneByOne:
-    """A case that is judged for each sample on its own: simulated trials, kinematics."""
+    """A case that is evaluated separately for each sample: simulated trials, kinematics."""
 
     evaluators: tuple[TrialEvaluator | KinematicEvaluator, ...]
 
@@ -102,10 +102,13 @@ class OneByOne:
 
     def each(self, values: Array) -> dict[str, Numbers]:
         """Give every metric for values (samples, numbers): (samples, channels), (samples, numbers, channels), SI."""
-        found = [evaluator.at(one) for evaluator, one in zip(self.evaluators, values, strict=True)]
+        samples = [evaluator.at(sample) for evaluator, sample in zip(self.evaluators, values, strict=True)]
         return {
-            text: (np.stack([one[text][0] for one in found]), np.stack([one[text][1] for one in found]))
-            for text in found[0]
+            text: (
+                np.stack([metrics[text][0] for metrics in samples]),
+                np.stack([metrics[text][1] for metrics in samples]),
+            )
+            for text in samples[0]
         }
 
 
@@ -113,7 +116,7 @@ class OneByOne:
 class CasesEvaluator:
     """Metrics of all cases: ``wanted`` maps the text of each to its case, the metric there, and a statistic.
 
-    ``factors`` (samples, numbers) are those by which the free numbers are multiplied in each sample of the spread.
+    ``factors`` (samples, numbers) multiply the free numbers in each sample of the spread.
     """
 
     cases: Mapping[str, StationaryEvaluator | OneByOne]
@@ -132,12 +135,12 @@ class CasesEvaluator:
 
     def at(self, values: Array) -> dict[str, Numbers]:
         """Give every metric by its text: values of its channels and their slopes, SI."""
-        seen = {case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()}
-        found = {}
+        judged = {case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()}
+        metrics = {}
         for text, (case, inner, statistic) in self.wanted.items():
-            numbers, slopes = seen[case][inner]
-            found[text] = _statistic(statistic, numbers, slopes * self.factors[:, :, None])
-        return found
+            numbers, slopes = judged[case][inner]
+            metrics[text] = _statistic(statistic, numbers, slopes * self.factors[:, :, None])
+        return metrics
 
 
 def _statistic(kind: str, numbers: Array, slopes: Array) -> Numbers:
@@ -169,7 +172,7 @@ def cases_problem(
     seed: int = 1,
     more: Sequence[str] = (),
 ) -> DesignProblem:
-    """Read a design task of several cases (SI or texts); ``more`` are further metrics to be known."""
+    """Read a design task of several cases (SI or texts); ``more`` are further metrics to evaluate."""
     if not cases:
         raise DescriptionError("no case", where="cases", hint='e.g. {"rough": {"road": "C", "speed": "20 m/s"}}')
     numbers = numbers_of(rig, free)
@@ -179,21 +182,21 @@ def cases_problem(
     metrics: dict[str, Metric] = {}
     for where, texts in (("objective", weights), ("constraints", constraints or {}), ("metrics", more)):
         for text in texts:
-            case, statistic, words = _split(text, cases, spread, where)
-            metric = _metric(words, cases[case], rig, where)
+            case, statistic, words = _split_text(text, cases, spread, where)
+            metric = _read_metric(words, cases[case], rig, where)
             wanted[text], inner[case][words] = (case, words, statistic), metric
             metrics[text] = replace(metric, text=text)
     limits = tuple(read_limit(metrics[text], given) for text, given in (constraints or {}).items())
-    rigs, factors = _samples(rig, numbers, spread or {}, samples, seed)
-    families = Families(tuple(LinearFamily(one, tuple(number.path for number in numbers)) for one in rigs))
+    rigs, factors = _draw_samples(rig, numbers, spread or {}, samples, seed)
+    families = Families(tuple(LinearFamily(sample, tuple(number.path for number in numbers)) for sample in rigs))
     judges: dict[str, StationaryEvaluator | OneByOne] = {}
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
             raise DescriptionError("nothing is judged by it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
-        judges[case], told = _evaluator(cases[case], families, numbers, tuple(asked.values()), case)
-        notes += [note for note in told if str(note) not in map(str, notes)]
-    words = ", ".join(f"{case} ({_words(given)})" for case, given in cases.items())
+        judges[case], case_notes = _build_evaluator(cases[case], families, numbers, tuple(asked.values()), case)
+        notes += [note for note in case_notes if str(note) not in map(str, notes)]
+    words = ", ".join(f"{case} ({_describe_case(given)})" for case, given in cases.items())
     if spread:
         words += f"; {len(rigs)} samples of {', '.join(spread)}, seed {seed}"
     problem = DesignProblem(
@@ -216,10 +219,10 @@ def cases_problem(
     return problem
 
 
-def _split(
+def _split_text(
     text: str, cases: Mapping[str, Case], spread: Mapping[str, Spread] | None, where: str
 ) -> tuple[str, str, str]:
-    """Case, statistic and metric of a text."""
+    """Split a text into case, statistic and metric."""
     head, colon, tail = text.partition(":")
     case = head.strip() if colon else next(iter(cases))
     if colon and case not in cases:
@@ -234,7 +237,7 @@ def _split(
     return case, statistic, " ".join(words)
 
 
-def _metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
+def _read_metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
     if not (isinstance(case, Mapping) and "travel" in case):
         return read_metric(words, units_of(rig), where=where)
     parts = words.split()
@@ -248,10 +251,10 @@ def _metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
     return Metric(words, (parts[0],), kind, known[parts[0]].unit)
 
 
-def _samples(
+def _draw_samples(
     rig: Rig, numbers: Sequence[FreeParameter], spread: Mapping[str, Spread], samples: int, seed: int
 ) -> tuple[list[Rig], list[Array]]:
-    """The rig as it would be built each time, and factors of the free numbers there."""
+    """Draw the rigs of the spread, and the factors of the free numbers in each."""
     ones = np.ones(len(numbers))
     if not spread:
         return [rig], [ones]
@@ -282,7 +285,7 @@ def _samples(
     return rigs, factors
 
 
-def _evaluator(
+def _build_evaluator(
     case: Case, families: Families, numbers: Sequence[FreeParameter], metrics: tuple[Metric, ...], name: str
 ) -> tuple[StationaryEvaluator | OneByOne, tuple[Finding, ...]]:
     where = f"cases.{name}"
@@ -320,7 +323,7 @@ def _evaluator(
     return OneByOne(tuple(KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics) for rig in rigs)), ()
 
 
-def _words(case: Case) -> str:
+def _describe_case(case: Case) -> str:
     if isinstance(case, Trial):
         return "a simulated trial"
     if "travel" in case:

@@ -49,7 +49,7 @@ class Numbering:
         return Numbering(rigs, models, parts, tuple(paths))
 
     def values(self, rigs: Rigs | None = None) -> Array:
-        """Numbers of rigs that differ from those of the study in numbers only, by default of the study's own."""
+        """Numbers of rigs of the same structure as those of the study, by default of the study's own rigs."""
         chosen = self.rigs if rigs is None else rigs
         return np.concatenate([self.models[name].parameter_values(rig) for name, rig in chosen.items()])
 
@@ -70,11 +70,11 @@ class Numbering:
 
 @dataclass(frozen=True)
 class FreeNumbers:
-    """What the search moves: x (n,) in SI, the numbers of the models being ``origin + directions @ x``.
+    """Variables of the search, x (n,) in SI: the numbers of the models are ``origin + directions @ x``.
 
-    ``owners`` says which entry of the study each belongs to, ``paths`` which numbers move at all; ``firsts`` is the
-    path of each x (the first of those that are tied), ``labels`` what it is called, ``values`` what that number is
-    where x is 0 (0 along a line).
+    ``owners`` is the entry of the study that each belongs to, ``paths`` are the numbers that move; ``firsts`` is the
+    path of each x (the first of tied numbers), ``labels`` its name, ``values`` its number where x is 0 (0 along a
+    line).
     """
 
     origin: Array
@@ -89,18 +89,20 @@ class FreeNumbers:
 
     @property
     def lengths(self) -> Array:
-        """Half the way that each may go."""
+        """Half the range of each."""
         return 0.5 * (self.upper - self.lower)
 
 
 def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "free") -> FreeNumbers:
-    """Read what may move; paths that do not exist, move nothing, or are given twice are refused."""
+    """Read the free numbers; refuse paths that do not exist, have no effect, or are given twice."""
     origin, index = numbering.values(), {path: i for i, path in enumerate(numbering.paths)}
     columns, lower, upper, values, owners, taken = [], [], [], [], [], dict[str, str]()
     firsts, labels = list[str](), list[str]()
     for k, entry in enumerate(free):
         where = f"{key}[{k}]"
-        groups = [(_paths(numbering, index, name, f"{where}.{part}"), name, sign) for part, name, sign in _named(entry)]
+        groups = [
+            (_paths(numbering, index, name, f"{where}.{part}"), name, sign) for part, name, sign in _list_tied(entry)
+        ]
         first = groups[0][0]
         size = len(first)
         matrix = np.zeros((len(origin), size))
@@ -142,11 +144,11 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
 
 
 def _line(along: str | tuple[float, ...]) -> str:
-    return along if isinstance(along, str) else " ".join(f"{one:g}" for one in along)
+    return along if isinstance(along, str) else " ".join(f"{component:g}" for component in along)
 
 
-def _named(entry: FreePoint) -> list[tuple[str, str, float]]:
-    """Keys and paths of an entry, and whether each moves with the first or against it."""
+def _list_tied(entry: FreePoint) -> list[tuple[str, str, float]]:
+    """List keys and paths of an entry, and whether each moves with the first or against it."""
     tied = [
         (f"tied[{i}]", name.removeprefix("-"), -1.0 if name[:1] == "-" else 1.0) for i, name in enumerate(entry.tied)
     ]
@@ -168,10 +170,10 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
     return paths
 
 
-def _mirror_sign(numbering: Numbering, first: str, other: str) -> float:
+def _mirror_sign(numbering: Numbering, first: str, second: str) -> float:
     """-1 for a lateral coordinate on the other side of the car than the first one, else 1."""
-    sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, other)]
-    return sides[0] * sides[1] if coordinate(other) == _LATERAL else 1.0
+    sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, second)]
+    return sides[0] * sides[1] if coordinate(second) == _LATERAL else 1.0
 
 
 def _direction(numbering: Numbering, entry: FreePoint, at: Array, where: str) -> Array:
@@ -200,7 +202,7 @@ def _bounds(
         given = entry.within if isinstance(entry.within, (list, tuple)) else [entry.within] * size
         if len(given) != size:
             raise DescriptionError("not one width a coordinate", where=f"{where}.within", found=len(given))
-        width = np.array([positive_si(one, unit, where=f"{where}.within") for one in given])
+        width = np.array([positive_si(width_text, unit, where=f"{where}.within") for width_text in given])
         if unit == "m" and np.max(width) > _FAR:
             raise DescriptionError(
                 "farther than a hardpoint moves",
@@ -218,7 +220,7 @@ def _bounds(
             found=f"{[len(corner) for corner in corners]} numbers",
             allowed=f"lower and upper corner of {size} each",
         )
-    low, high = (np.array([to_si(one, unit, where=f"{where}.box") for one in corner]) for corner in corners)
+    low, high = (np.array([to_si(bound, unit, where=f"{where}.box") for bound in corner]) for corner in corners)
     farthest = float(max(np.max(np.abs(low)), np.max(np.abs(high))))
     if unit == "m" and farthest > LONGEST:
         raise DescriptionError(

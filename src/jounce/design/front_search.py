@@ -21,7 +21,7 @@ _STILL = 1e-6  # scaled movement of a new start below which a search has come to
 
 
 class Aim(NamedTuple):
-    """Where a search between the corners goes: least values of the goals, their ranges, and the mixture of them."""
+    """Aim of a search between the corners: best values of the goals, their ranges, and the mixture of them."""
 
     best: Array
     span: Array
@@ -35,11 +35,11 @@ class FrontSearch:
     tries: ClassVar[int] = 1  # starts of it, where it has not come to rest
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
-        """Search towards an aim from a design; tell whether that came to rest."""
+        """Search towards an aim from a design; return the design and whether the search converged."""
         raise NotImplementedError
 
-    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """How far constraints are broken, and how bad the relatively worst goal is: the least is best."""
+    def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """Rank a design, the lowest is best: violation of the constraints, then the relatively worst goal."""
         raise NotImplementedError
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
@@ -47,22 +47,22 @@ class FrontSearch:
         raise NotImplementedError
 
     def room(self, u: Array) -> tuple[Array, Array]:
-        """What constraints leave at scaled numbers, not below zero where they hold; and its slopes."""
+        """Margins of the constraints at scaled numbers, not below zero where they hold; and their slopes."""
         raise NotImplementedError
 
     def between(self, tried: list[Array], best: Array, span: Array, mixtures: Iterable[Array]) -> bool:
-        """Add a design to those ``tried`` for each mixture of goals; tell whether all searches came to rest."""
+        """Add a design to those ``tried`` for each mixture of goals; return whether all searches converged."""
         is_settled = True
         for mixture in mixtures:
             aim = Aim(best, span, mixture)
-            begins = sorted(tried, key=lambda x: self.missed(x, aim))[:2]
-            x, is_at_rest = min((self.run(x, aim) for x in begins), key=lambda end: self.missed(end[0], aim))
+            begins = sorted(tried, key=lambda x: self.rank(x, aim))[:2]
+            x, is_at_rest = min((self.run(x, aim) for x in begins), key=lambda end: self.rank(end[0], aim))
             tried.append(x)
             is_settled &= is_at_rest
         return is_settled
 
     def towards(self, begin: Array, goals: Array, aim: Aim, lower: Array, upper: Array) -> tuple[Array, bool]:
-        """Make the relatively worst goal as good as it can be from scaled numbers, at which the ``goals`` are known."""
+        """Minimise the relatively worst goal from scaled numbers, at which the ``goals`` are known."""
         from scipy.optimize import minimize
 
         size = len(begin)

@@ -168,9 +168,9 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     with told(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
         settled, span = _search(race, points, tried)
     sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
-    found = np.array([race.goals_at(values) for values in sound])
-    kept = sorted(undominated_rows(found, span), key=lambda i: tuple(found[i]))
-    designs = np.array([sound[i] for i in kept])
+    goal_rows = np.array([race.goals_at(values) for values in sound])
+    front_rows = sorted(undominated_rows(goal_rows, span), key=lambda i: tuple(goal_rows[i]))
+    designs = np.array([sound[i] for i in front_rows])
     paths, units = [number.path for number in problem.free], {name: problem.metrics[name].unit for name in names}
     whole = {name: np.array([problem.whole(name, values)[0] for values in designs]) for name in names}
     return DesignFront(
@@ -185,9 +185,9 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
 
 
 def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, Array]:
-    """Designs of the front, added to those ``tried``; tell whether all searches came to rest, and the goals' ranges."""
+    """Add designs of the front to those ``tried``; return whether all searches converged, and the goals' ranges."""
     problem = race.problem
-    tried.extend(_corner(problem, name) for name in race.names)
+    tried.extend(_find_corner(problem, name) for name in race.names)
     reached = np.array([race.goals_at(values) for values in tried])
     best, span = reached.min(axis=0), np.ptp(reached, axis=0)
     span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
@@ -195,37 +195,37 @@ def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, A
 
 
 def _aims(race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
-    """Mixtures to aim at: some spread evenly, then between those designs that are ``tried`` and still far apart."""
+    """Mixtures to aim at: first evenly spread ones, then those between ``tried`` designs that are still far apart."""
     yield from mixtures(len(best), max(points // 2, len(best) + 1))
     known: set[tuple[int, int]] = set()
     while len(tried) < points:
         goals = np.array([race.goals_at(values) for values in tried])
-        kept = undominated_rows(goals, span)
-        pairs = {(kept.index(i), kept.index(j)) for i, j in known if i in kept and j in kept}
+        front_rows = undominated_rows(goals, span)
+        pairs = {(front_rows.index(i), front_rows.index(j)) for i, j in known if i in front_rows and j in front_rows}
         before = set(pairs)
-        mixture = across_gap((goals[kept] - best) / span, pairs)
+        mixture = across_gap((goals[front_rows] - best) / span, pairs)
         if mixture is None:
             return
-        known |= {(kept[i], kept[j]) for i, j in pairs - before}
+        known |= {(front_rows[i], front_rows[j]) for i, j in pairs - before}
         yield mixture
 
 
 def _findings(count: int, *, settled: bool) -> list[Finding]:
-    found = []
+    findings = []
     if not settled:
-        found.append(finding("design.goal_searches_unsettled", "front"))
+        findings.append(finding("design.goal_searches_unsettled", "front"))
     if count == 1:
-        found.append(finding("design.best_in_all_metrics", "front"))
-    return found
+        findings.append(finding("design.best_in_all_metrics", "front"))
+    return findings
 
 
-def _corner(problem: DesignProblem, name: str) -> Array:
-    """The least of one metric; among equals there the least of the others."""
+def _find_corner(problem: DesignProblem, name: str) -> Array:
+    """Find the design with the least of one metric; among equals that with the least of the others."""
     alone = replace(problem, weights={name: 1.0})
     first = search(alone)
     check_kept(alone, first)
     least = problem.whole(name, first.values)[0]
-    others = {other: 1.0 for other in problem.weights if other != name}
+    others = {metric: 1.0 for metric in problem.weights if metric != name}
     held = Limit(problem.metrics[name], None, least + _HELD * abs(least), is_whole=True)
     if least < 0.0:
         held = Limit(problem.metrics[name], least - _HELD * abs(least), None, is_whole=True)
@@ -246,9 +246,9 @@ class _GoalSearch(FrontSearch):
         return np.array([abs(self.problem.whole(name, values)[0]) for name in self.names])
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
-        """Goals, one row each, or one for each channel where the worst counts; slopes; to which goal each belongs."""
+        """Goals, one row each, or one per channel where the worst counts; their slopes; the goal of each row."""
         values, chain = self.scale.values(u), self.scale.slopes(u)
-        found, slopes, of = [], [], []
+        goals, slopes, of = [], [], []
         for k, name in enumerate(self.names):
             numbers, along = self.problem.numbers(values)[name]
             if not self.problem.metrics[name].is_worst:
@@ -256,10 +256,10 @@ class _GoalSearch(FrontSearch):
                 numbers, along = np.array([number]), slope[:, None]
             for i, number in enumerate(numbers.tolist()):
                 sign = -1.0 if number < 0.0 else 1.0
-                found.append(sign * number)
+                goals.append(sign * number)
                 slopes.append(sign * along[:, i] * chain)
                 of.append(k)
-        return np.array(found), np.array(slopes), of
+        return np.array(goals), np.array(slopes), of
 
     def room(self, u: Array) -> tuple[Array, Array]:
         """Margins of the limits, and their slopes."""
@@ -268,31 +268,31 @@ class _GoalSearch(FrontSearch):
         table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(len(margins), len(u))
         return np.array([margin for _, _, _, margin, _ in margins]), table
 
-    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """How far limits are broken, and how bad the relatively worst metric is."""
+    def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """Violation of the limits, then the relatively worst metric."""
         return max(violation_of(self.problem, x), _KEPT), achievement(self.goals_at(x), *aim)
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
-        """Make the relatively worst goal as good as it can be from some values (SI); tell whether it came to rest."""
+        """Minimise the relatively worst goal from some values (SI); return the values and whether it converged."""
         size = len(x)
-        u, is_at_rest = self.towards(self.scale.scaled(x), self.goals_at(x), aim, np.zeros(size), np.ones(size))
+        u, is_at_rest = self.towards(self.scale.normalise(x), self.goals_at(x), aim, np.zeros(size), np.ones(size))
         values = self.scale.values(u)
-        return self._settled(values, aim) if self.problem.has_kinks else (values, is_at_rest)
+        return self._refine(values, aim) if self.problem.has_kinks else (values, is_at_rest)
 
-    def _settled(self, values: Array, aim: Aim) -> tuple[Array, bool]:
-        """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
+    def _refine(self, values: Array, aim: Aim) -> tuple[Array, bool]:
+        """Refine the end of a gradient search without gradients (COBYLA): it may have stopped at a kink."""
         from scipy.optimize import minimize
 
         def worst(u: Array) -> float:
             goals = self.goals_at(self.scale.values(u))
             return achievement(goals, *aim) + SHARE * float(np.sum((goals - aim.best) / aim.span))
 
-        def kept(u: Array) -> Array:
+        def margins(u: Array) -> Array:
             return np.concatenate([self.room(u)[0], u, 1.0 - u])
 
-        begin = self.scale.scaled(values)
+        begin = self.scale.normalise(values)
         result = minimize(
-            worst, begin, method="COBYLA", constraints=[{"type": "ineq", "fun": kept}], tol=_NEARER,
+            worst, begin, method="COBYLA", constraints=[{"type": "ineq", "fun": margins}], tol=_NEARER,
             options={"rhobeg": _NEAR, "maxiter": _MOST_NEAR * len(values)},
         )  # fmt: skip
         u = np.clip(np.asarray(result.x), 0.0, 1.0)

@@ -75,18 +75,20 @@ class KinematicFront(Plain):
 
     def rigs(self, k: int) -> dict[str, Corner]:
         """Give the rigs of a design by their names, counted from 0; one alone has the name ''."""
-        found = {}
+        rigs = {}
         for name, rig in self.start.items():
             head = f"{name}." if name else ""
             moved = {path.removeprefix(head): value for path, value in self.designs[k].moved.items()}
-            found[name] = rig.with_changes({path: value for path, value in moved.items() if path in rig.parameters()})
-        return found
+            rigs[name] = rig.with_changes({path: value for path, value in moved.items() if path in rig.parameters()})
+        return rigs
 
     def table(self) -> str:
         """Give the front as CSV: a row a design, goals in tolerances, numbers in SI."""
         rows = [",".join(("design", *(f"{name} [tolerances]" for name in self.goals), *self.before.moved, "met"))]
-        for label, one in [("before", self.before), *((str(k + 1), one) for k, one in enumerate(self.designs))]:
-            rows.append(",".join((label, *map(repr, one.goals.values()), *map(repr, one.moved.values()), str(one.met))))
+        labels = ["before", *(str(k + 1) for k in range(len(self.designs)))]
+        for label, design in zip(labels, (self.before, *self.designs), strict=True):
+            numbers = (*design.goals.values(), *design.moved.values())
+            rows.append(",".join((label, *map(repr, numbers), str(design.met))))
         return "\n".join([*rows, ""])
 
 
@@ -155,28 +157,28 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
     values_before(search)
     refuse_idle(search, task.free, seed)
     race = _HardpointFrontSearch(search, goals, held)
-    corners = [_corner(race, i, starts, seed) for i in range(len(goals))]
+    corners = [_find_corner(race, i, starts, seed) for i in range(len(goals))]
     reached = np.array([race.goals_at(x) for x in corners])
     best, worst = reached.min(axis=0), reached.max(axis=0)
     span = np.maximum(worst - best, _SOFT)
     tried = list(corners)
     race.between(tried, best, span, mixtures(len(goals), points))
     sound = [x for x in tried if race.holds(x)]
-    kept = undominated_rows(np.array([race.goals_at(x) for x in sound]), span)
-    designs = [design for design in (_design(race, sound[i]) for i in kept) if design is not None]
+    front_rows = undominated_rows(np.array([race.goals_at(x) for x in sound]), span)
+    designs = [design for design in (_describe_design(race, sound[i]) for i in front_rows) if design is not None]
     findings = []
     if len(designs) == 1:
         findings.append(finding("design.best_in_all_goals", "front"))
-    start = _design(race, np.zeros(len(search.scale)))
+    start = _describe_design(race, np.zeros(len(search.scale)))
     assert start is not None
-    order = sorted(designs, key=lambda one: tuple(one.goals.values()))
+    order = sorted(designs, key=lambda design: tuple(design.goals.values()))
     return KinematicFront(
         goals, tuple(held), tuple(order), start, search.evaluator.evaluations, dict(task.rigs), tuple(findings)
     )
 
 
 def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[int]]:
-    """Goals by name with their targets, and the targets that are held."""
+    """Goals by name with their targets, and the targets that must hold."""
     named = any(item.text.goal is not None for item in search.wanted)
     goals: dict[str, list[int]] = {}
     held = []
@@ -231,29 +233,29 @@ class _HardpointFrontSearch(FrontSearch):
             firm = self._firm
             ends = [(values - search.high)[firm], (search.low - values)[firm]]
             room = _INSIDE - np.concatenate(ends) / np.tile(search.tolerance[firm], 2)
-            found = goals, slopes, np.where(np.isfinite(room), room, 1.0), np.vstack([-along[firm], along[firm]])
+            result = goals, slopes, np.where(np.isfinite(room), room, 1.0), np.vstack([-along[firm], along[firm]])
         else:
             size, count = len(x), 2 * len(self._firm)
             goals = np.full(len(self.goals), _FORBIDDEN)
-            found = goals, np.zeros((len(goals), size)), np.full(count, -1.0), np.zeros((count, size))
-        self._seen = key, found
-        return found
+            result = goals, np.zeros((len(goals), size)), np.full(count, -1.0), np.zeros((count, size))
+        self._seen = key, result
+        return result
 
     def means(self, off: Array) -> Array:
-        """Mean squares of each goal of values that are so many tolerances off."""
+        """Mean squares of each goal, from the deviations of its values in tolerances."""
         return np.asarray(self._weights @ off**2)
 
     def goals_at(self, x: Array) -> Array:
-        """Goals at a place."""
+        """Goals at a point."""
         return self.at(x)[0]
 
     def holds(self, x: Array) -> bool:
-        """Whether the constraints hold at a place that can be reached."""
+        """Whether a point is within reach and keeps the constraints."""
         goals, _, room, _ = self.at(x)
         return bool(np.all(goals < _FORBIDDEN) and np.all(room >= _INSIDE - _HELD))
 
-    def missed(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """Whether constraints are broken, and how bad the relatively worst goal is."""
+    def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
+        """Whether constraints are violated, then the relatively worst goal."""
         return float(not self.holds(x)), achievement(self.goals_at(x), *aim)
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
@@ -266,12 +268,12 @@ class _HardpointFrontSearch(FrontSearch):
         return self.at(u)[2:]
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
-        """Make the goal that is relatively worst as good as it can be."""
+        """Minimise the relatively worst goal."""
         begin = np.clip(x, self.search.lower, self.search.upper)
         return self.towards(begin, self.goals_at(begin), aim, self.search.lower, self.search.upper)
 
     def least(self, x: Array, weights: Array) -> Array:
-        """Least weighted sum of the goals from x."""
+        """Minimise the weighted sum of the goals from x."""
         from scipy.optimize import minimize
 
         lower, upper = self.search.lower, self.search.upper
@@ -284,8 +286,8 @@ class _HardpointFrontSearch(FrontSearch):
         return np.asarray(np.clip(result.x, lower, upper), dtype=float)
 
 
-def _corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) -> Array:
-    """The least of one goal, from several places."""
+def _find_corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) -> Array:
+    """Minimise one goal from several starts."""
     weights = np.full(len(race.goals), SHARE)
     weights[i] = 1.0
     ended = [race.least(x, weights) for x in places(race.search, starts, seed)]
@@ -300,8 +302,8 @@ def _corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) -> Arra
     return min(good, key=lambda x: float(weights @ race.goals_at(x)))
 
 
-def _design(race: _HardpointFrontSearch, x: Array) -> FrontDesign | None:
-    """What is told of a place, None where its numbers make no rig."""
+def _describe_design(race: _HardpointFrontSearch, x: Array) -> FrontDesign | None:
+    """Describe the design at a point; None where its numbers make no rig."""
     search = race.search
     try:
         rigs = moved_rigs(search, x)

@@ -33,12 +33,12 @@ UNSETTLED = "no more steps"
 """Why a search ended that had not come to rest."""
 _MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6
 _REST = 1e-6  # share of the cost that a search at rest could still gain over a whole box; room where a limit holds
-_NOTHING = 1e-9  # tolerances that a number changes from one end of its box to the other when it does nothing
+_NOTHING = 1e-9  # a number that changes its targets less, in tolerances over its box, has no effect
 _WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
 
 
-class Asked(NamedTuple):
-    """What a search asks of each value: how far within the tolerance nothing counts, and how much the rest does."""
+class Demand(NamedTuple):
+    """Demand of a search on each value: dead band within the tolerance, weight beyond it, and pull to the rig."""
 
     inside: Array
     share: Array
@@ -80,16 +80,16 @@ class HardpointSearch:
         return np.asarray(far / self.tolerance)
 
     @property
-    def compromise(self) -> Asked:
+    def compromise(self) -> Demand:
         """All targets, each in tolerances."""
-        return Asked(np.zeros_like(self.share), self.share, _PULL)
+        return Demand(np.zeros_like(self.share), self.share, _PULL)
 
     @property
-    def bands(self) -> Asked:
-        """Only that all are within their tolerances."""
-        return Asked(np.full_like(self.share, _INSIDE), self.share, 0.0)
+    def bands(self) -> Demand:
+        """All targets only within their tolerances."""
+        return Demand(np.full_like(self.share, _INSIDE), self.share, 0.0)
 
-    def residuals(self, x: Array, asked: Asked, *, slopes: bool) -> tuple[Array, Array, bool]:
+    def residuals(self, x: Array, asked: Demand, *, slopes: bool) -> tuple[Array, Array, bool]:
         """Residuals (and slopes), and whether every target is within its tolerance."""
         values, along = self.evaluator.together(self.numbers(x), slopes=slopes)
         off = self.off(values)
@@ -101,29 +101,29 @@ class HardpointSearch:
         rows = (active * asked.share / self.tolerance)[:, None] * along * self.scale
         return asked.share * over, rows, met
 
-    def judged(self, x: Array) -> tuple[float, bool, bool]:
-        """Cost of the compromise at a place, whether all targets are met, and whether what must hold does."""
+    def judge(self, x: Array) -> tuple[float, bool, bool]:
+        """Cost of the compromise at a point, whether all targets are met, and whether the mandatory ones are."""
         values, _ = self.evaluator.together(self.numbers(x), slopes=False)
         off = self.off(values)
         met = np.abs(off) <= _WITHIN
         return float(0.5 * np.sum((self.share * off) ** 2)), bool(met.all()), bool(met[self.must].all())
 
-    def descend(self, x: Array, asked: Asked) -> tuple[Array, float, bool, int, str]:
-        """Levenberg-Marquardt from x: the place reached, its cost, whether all is met, steps, why it ended."""
+    def descend(self, x: Array, asked: Demand) -> tuple[Array, float, bool, int, str]:
+        """Levenberg-Marquardt from x: the point reached, its cost, whether all targets are met, steps, why it ended."""
         x, pull = np.clip(x, self.lower, self.upper), asked.pull
-        found, jacobian, met = self.residuals(x, asked, slopes=True)
-        if not np.all(np.isfinite(found)):
+        residuals_here, jacobian, met = self.residuals(x, asked, slopes=True)
+        if not np.all(np.isfinite(residuals_here)):
             return x, np.inf, False, 0, "a pose is out of reach"
         damping, why, steps = _DAMPING, UNSETTLED, 0
 
         def cost_of(residuals: Array, at: Array) -> float:
             return float(0.5 * (residuals @ residuals + pull**2 * (at @ at)))
 
-        cost = cost_of(found, x)
+        cost = cost_of(residuals_here, x)
         for steps in range(1, _STEPS + 1):
-            if np.max(np.abs(found)) <= _REACHED:
+            if np.max(np.abs(residuals_here)) <= _REACHED:
                 return x, cost, met, steps, "all targets are met"
-            gradient = jacobian.T @ found + pull**2 * x
+            gradient = jacobian.T @ residuals_here + pull**2 * x
             held = ((x <= self.lower) & (gradient > 0.0)) | ((x >= self.upper) & (gradient < 0.0))
             free = np.flatnonzero(~held)
             if not len(free) or np.max(np.abs(gradient[free])) < 1e-14:
@@ -137,24 +137,24 @@ class HardpointSearch:
                 step[free] = np.linalg.solve(normal + np.diag(size + 1e-300), -gradient[free])
                 tried = np.clip(x + step, self.lower, self.upper)
                 residuals, _, _ = self.residuals(tried, asked, slopes=False)
-                other = cost_of(residuals, tried) if np.all(np.isfinite(residuals)) else np.inf
-                if other < cost:
-                    gained, x, cost = cost - other, tried, other
+                cost_there = cost_of(residuals, tried) if np.all(np.isfinite(residuals)) else np.inf
+                if cost_there < cost:
+                    gained, x, cost = cost - cost_there, tried, cost_there
                     damping = max(damping / 5.0, 1e-12)
                     break
                 damping *= 4.0
             if gained <= _SETTLED * cost:
                 why = "no step makes it better"
                 break
-            found, jacobian, met = self.residuals(x, asked, slopes=True)
+            residuals_here, jacobian, met = self.residuals(x, asked, slopes=True)
         return x, cost, met, steps, why
 
-    def drawn_back(self, x: Array, asked: Asked) -> Array:
-        """The place nearest to the rig that is nowhere worse than x, a place where all targets are met.
+    def move_back(self, x: Array, asked: Demand) -> Array:
+        """Move back to the point nearest to the rig that is nowhere worse than x, where all targets are met.
 
-        A descent takes each missed limit as a value, a curve at its edge, and moves whatever has the least say for
-        that; afterwards the slight pull is too weak to bring it back. Here limits are limits: least movement, no
-        value farther off than at x. Sought from x and from the rig, as the way back may be bent.
+        A descent treats each missed limit as a value to reach and moves even numbers with little influence for it;
+        afterwards the slight pull is too weak to move them back. Here limits are constraints: least movement, no
+        value farther off than at x. It starts from x and from the rig, since the path between them may be curved.
         """
         from scipy.optimize import minimize
 
@@ -182,7 +182,7 @@ class HardpointSearch:
 
         best = x
         for begin in (x, np.clip(np.zeros_like(x), self.lower, self.upper)):
-            found = minimize(
+            solution = minimize(
                 lambda place: 0.5 * float(place @ place),
                 begin,
                 jac=lambda place: place,
@@ -191,19 +191,19 @@ class HardpointSearch:
                 method="SLSQP",
                 options={"maxiter": _STEPS, "ftol": _PRECISION},
             )
-            place = np.clip(np.asarray(found.x, dtype=float), self.lower, self.upper)
+            place = np.clip(np.asarray(solution.x, dtype=float), self.lower, self.upper)
             if np.min(room(place)[0]) >= -_SLACK and place @ place < best @ best:
                 best = place
         return best
 
-    def constrained(self, x: Array) -> tuple[Array, int, str]:
-        """The compromise within what must hold, from x: the place reached, rounds, why it ended."""
+    def satisfy_constraints(self, x: Array) -> tuple[Array, int, str]:
+        """Find the compromise that keeps the mandatory targets, from x: the point reached, rounds, why it ended."""
         from scipy.optimize import minimize, nnls
 
         seen: dict[bytes, tuple[float, Array, Array, Array]] = {}
 
         def at(place: Array) -> tuple[float, Array, Array, Array]:
-            """Cost and its slopes, room that constraints leave and its slopes."""
+            """Cost and its slopes, margins of the constraints and their slopes."""
             key = place.tobytes()
             if key not in seen:
                 values, along = self.evaluator.together(self.numbers(place))
@@ -224,7 +224,7 @@ class HardpointSearch:
         firm = np.flatnonzero(self.must)
         begin = np.clip(x, self.lower, self.upper)
         size = max(at(begin)[0], _PRECISION)
-        found = minimize(
+        solution = minimize(
             lambda place: at(place)[0] / size if np.isfinite(at(place)[0]) else _FORBIDDEN,
             begin,
             jac=lambda place: at(place)[1] / size,
@@ -233,19 +233,19 @@ class HardpointSearch:
             method="SLSQP",
             options={"maxiter": _MOST_ROUNDS, "ftol": _PRECISION},
         )
-        place = np.clip(np.asarray(found.x, dtype=float), self.lower, self.upper)
+        place = np.clip(np.asarray(solution.x, dtype=float), self.lower, self.upper)
         cost, slope, room, slopes = at(place)
-        # Whether SLSQP claims success may hang on the last bit: what counts is what a step could still gain.
+        # The success that SLSQP reports may depend on the last bit; the gain of a further step decides instead.
         walls = [np.diag(place < self.lower + _REST), -1.0 * np.diag(place > self.upper - _REST)]
         gain = nnls(np.vstack([slopes[room < _REST], *walls]).T, slope)[1] / size
-        rests = found.success or (np.isfinite(cost) and gain < _REST)
+        rests = solution.success or (np.isfinite(cost) and gain < _REST)
         ended = "no step makes it better" if rests else UNSETTLED
-        return place, int(found.nit), ended
+        return place, int(solution.nit), ended
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Where a search ended, x in shares of the boxes; ``holds`` says whether what must hold does."""
+    """End of a search, x in shares of the boxes; ``holds``: whether the mandatory targets are met."""
 
     x: Array
     cost: float
@@ -253,15 +253,15 @@ class Outcome:
     holds: bool
     steps: int
     ended: str
-    asked: Asked | None = None
-    """What was asked for where all targets are met."""
+    asked: Demand | None = None
+    """The demand that was searched for, where all targets are met."""
 
-    def drawn_back(self, search: HardpointSearch) -> Outcome:
-        """The same nearer to the rig, where all targets are met."""
+    def move_back(self, search: HardpointSearch) -> Outcome:
+        """Move nearer to the rig, where all targets are met."""
         if self.asked is None:
             return self
-        x = search.drawn_back(self.x, self.asked)
-        return Outcome(x, *search.judged(x), self.steps, self.ended, self.asked)
+        x = search.move_back(self.x, self.asked)
+        return Outcome(x, *search.judge(x), self.steps, self.ended, self.asked)
 
     @property
     def travelled(self) -> float:
@@ -270,33 +270,33 @@ class Outcome:
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
-        """The least is best: targets met by the least movement, else what holds by the least cost."""
+        """Rank, the lowest is best: met targets by least movement, otherwise mandatory ones by least cost."""
         return not self.met, not self.holds, self.travelled if self.met else self.cost
 
 
 def search_from(search: HardpointSearch, x: Array) -> Outcome:
-    """Search from a place; where the compromise misses a target, try to bring all within their tolerances."""
+    """Search from a point; where the compromise misses a target, try to bring all within their tolerances."""
     x, cost, met, steps, ended = search.descend(x, search.compromise)
     if not np.isfinite(cost):
         return Outcome(x, cost, False, False, steps, ended)
     if met:
-        return Outcome(x, *search.judged(x), steps, ended, search.compromise)
-    best = Outcome(x, cost, met, search.judged(x)[2], steps, ended)
+        return Outcome(x, *search.judge(x), steps, ended, search.compromise)
+    best = Outcome(x, cost, met, search.judge(x)[2], steps, ended)
     x, _, met, more, _ = search.descend(x, search.bands)
     steps += more
     if met:
-        return Outcome(x, *search.judged(x), steps, "all targets are met", search.bands)
+        return Outcome(x, *search.judge(x), steps, "all targets are met", search.bands)
     if search.must.any():
         for begin in (best.x, x):
-            x, more, ended = search.constrained(begin)
+            x, more, ended = search.satisfy_constraints(begin)
             steps += more
-            other = Outcome(x, *search.judged(x), steps, ended)
-            best = min(best, other, key=lambda one: one.rank)
+            compromise = Outcome(x, *search.judge(x), steps, ended)
+            best = min(best, compromise, key=lambda outcome: outcome.rank)
     return best
 
 
 def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
-    """Where searches begin: the rig (or the nearest place of the boxes), then a Latin hypercube of the boxes."""
+    """Starting points: the rig (or the nearest point of the boxes), then a Latin hypercube of the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed)
     size = len(search.scale)
@@ -307,12 +307,12 @@ def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
 
 
 def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -> None:
-    """Refuse entries of which no number changes any target, at the rig and at another place of the boxes."""
+    """Refuse entries that change no target, neither at the rig nor at a random point of the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed + 1)
-    other = search.lower + random.random(len(search.scale)) * (search.upper - search.lower)
+    random_place = search.lower + random.random(len(search.scale)) * (search.upper - search.lower)
     effect = np.zeros(len(search.scale))
-    for x in (np.zeros(len(search.scale)), other):
+    for x in (np.zeros(len(search.scale)), random_place):
         values, slopes = search.evaluator.at(search.numbers(x))
         for item, value, slope in zip(search.wanted, values, slopes, strict=True):
             if np.all(np.isfinite(value)):

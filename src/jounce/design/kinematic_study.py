@@ -55,7 +55,7 @@ class FreePoint(Description):
     tied: tuple[str, ...] = ()
 
     @model_validator(mode="after")
-    def _is_bounded(self) -> FreePoint:
+    def _check_bounds(self) -> FreePoint:
         if (self.within is None) == (self.box is None):
             raise ValueError(f'give either within = "15 mm" or box = [[lower corner], [upper corner]] of {self.point}')
         if self.along is not None:
@@ -98,7 +98,7 @@ class KinematicTarget(Description):
     right: str | None = None
 
     @model_validator(mode="after")
-    def _asks_one_thing(self) -> KinematicTarget:
+    def _check_form(self) -> KinematicTarget:
         wanted = [name for name in ("value", "values") if getattr(self, name) is not None]
         limits = self.at_least is not None or self.at_most is not None
         if len(wanted) + limits != 1:
@@ -156,7 +156,7 @@ class KinematicStudy(Description):
     shapes: dict[str, Solid | Rim] | None = None
 
     @model_validator(mode="after")
-    def _has_rigs(self) -> KinematicStudy:
+    def _check_rigs(self) -> KinematicStudy:
         if (self.rig is None) == (not self.rigs):
             raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
         for name in self.rigs or ():
@@ -183,5 +183,5 @@ def coordinate(path: str) -> int | None:
     >>> coordinate("hardpoints.tie_rod_inner[2]"), coordinate("hardpoints.tie_rod_inner")
     (2, None)
     """
-    found = re.search(r"\[(\d+)\]$", path)
-    return int(found[1]) if found else None
+    index = re.search(r"\[(\d+)\]$", path)
+    return int(index[1]) if index else None

@@ -66,7 +66,7 @@ class Wanted:
 
     @property
     def weights(self) -> Array:
-        """What makes wanted values of those at the poses, shape (n, k): none, or the slope of a straight line."""
+        """Matrix from values at the poses to wanted values, shape (n, k): identity, or the slope of a line."""
         if not self.text.slope:
             return np.asarray(np.eye(len(self.poses)))
         away = self.at - self.at.mean()
@@ -95,14 +95,14 @@ def read_targets(
     vehicles: Mapping[str, AxleLayout],
     shapes: Mapping[str, Shape] | None = None,
 ) -> list[Wanted]:
-    """Read the targets of a study into SI; what cannot be asked of its rigs is refused, with its place."""
+    """Read the targets of a study into SI; refuse targets that its rigs cannot have, and name their place."""
     for name in vehicles:
         if name not in rigs:
             raise unknown(name, rigs, what="rig", where="vehicles")
-    return [_read(rigs, target, vehicles, shapes or {}, f"target[{i}]") for i, target in enumerate(targets)]
+    return [_read_target(rigs, target, vehicles, shapes or {}, f"target[{i}]") for i, target in enumerate(targets)]
 
 
-def _read(
+def _read_target(
     rigs: Rigs,
     target: KinematicTarget,
     vehicles: Mapping[str, AxleLayout],
@@ -119,8 +119,8 @@ def _read(
     rig, vehicle = rigs[name], vehicles.get(name)
     poses, along = _poses(rig, target, where)
     of_axle = _is_of_axle(target, along)
-    other = _right(rigs, rig, target, of_axle, where)
-    unit = quantity_unit(rig, target.quantity, along if of_axle else "", vehicle, where, other)
+    right = _right_corner(rigs, rig, target, of_axle, where)
+    unit = quantity_unit(rig, target.quantity, along if of_axle else "", vehicle, where, right)
     if target.slope:
         unit = {"1": f"1/{_UNITS[along]}"}.get(unit, f"{unit}/{_UNITS[along]}")
     count = 1 if target.slope else len(poses)
@@ -149,12 +149,12 @@ def _read(
         raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
     given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
     tolerance = positive_si(given, unit, where=f"{where}.tolerance")
-    pair = _pair(rig, target.quantity, along, shapes, where)
+    pair = _read_pair(rig, target.quantity, along, shapes, where)
     return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair, target.right or "")
 
 
-def _right(rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str) -> Corner | None:
-    """Right corner of the axle of a target, where it is one of its own."""
+def _right_corner(rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str) -> Corner | None:
+    """Right corner of the axle of a target, where it is not the mirror image of the left one."""
     if target.right is None:
         return None
     if target.right not in rigs:
@@ -166,14 +166,14 @@ def _right(rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, wher
         raise DescriptionError(
             "not a left corner", where=f"{where}.rig", found=f'side = "{rig.side}"', allowed='"left" beside right'
         )
-    other = rigs[target.right]
-    check_pair_of_corners(rig, other, f"{where}.right")
-    if has_rack(rig) and not has_rack(other):
+    right = rigs[target.right]
+    check_pair_of_corners(rig, right, f"{where}.right")
+    if has_rack(rig) and not has_rack(right):
         raise DescriptionError("no rack moves this wheel", where=f"{where}.right", found=target.right)
-    return other
+    return right
 
 
-def _pair(
+def _read_pair(
     rig: Corner, quantity: str, along: str, shapes: Mapping[str, Shape], where: str
 ) -> tuple[Shape, Shape] | None:
     """Bodies of a clearance."""
@@ -185,9 +185,9 @@ def _pair(
     for name in named.groups():
         if name not in shapes:
             raise unknown(name, shapes, what="shape", where=f"{where}.quantity")
-    one, other = (shapes[name] for name in named.groups())
-    check_pair(rig, (one, other), where)
-    return one, other
+    first, second = (shapes[name] for name in named.groups())
+    check_pair(rig, (first, second), where)
+    return first, second
 
 
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
@@ -346,7 +346,7 @@ class TargetEvaluator:
         self._grids: dict[tuple[str, float], _CornerPoses] = {}
         for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
             self._grids[key] = self._grid(key)
-        self._laid_out()
+        self._lay_out()
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
         """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
@@ -357,31 +357,31 @@ class TargetEvaluator:
         for key, grid in self._grids.items():
             grid.sweep.walk.p[:] = own
             grid.sweep.run()
-            found = moved[key] = grid.tangents.run() if slopes else None
+            tangents = moved[key] = grid.tangents.run() if slopes else None
             into, rows, columns = self._plain[key]
             reached = grid.sweep.found.outcome == REACHED
             values[into] = np.where(reached[columns], grid.sweep.found.outputs[rows, columns], np.nan)
-            if found is not None:
-                along[into] = found[rows, :, columns]
+            if tangents is not None:
+                along[into] = tangents[rows, :, columns]
         axles: dict[tuple[str, float], Any] = {}
         self._posed.clear()  # clearances at the same poses share them
         for item, part in self._further:
             kind = self._kind(item)
             if kind == "corner":
-                one, slope = self._of_corner(item, moved[self._key(item)])
+                value, slope = self._of_corner(item, moved[self._key(item)])
             elif kind == "distance":
-                one, slope = self._distance(item, own)
+                value, slope = self._distance(item, own)
             elif kind == "clearance":
-                one, slope = self._clearance(item, own, slopes=slopes)
+                value, slope = self._clearance(item, own, slopes=slopes)
             else:
-                one, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
-            values[part] = item.weights @ one
+                value, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
+            values[part] = item.weights @ value
             if slopes and slope is not None:
                 along[part] = item.weights @ slope
         return values, along
 
-    def _laid_out(self) -> None:
-        """Where each target's values stand, and which of them are plain rows of a corner's poses."""
+    def _lay_out(self) -> None:
+        """Assign places to the values of each target, and find those that are plain rows of a corner's poses."""
         ends = np.cumsum([len(item.low) for item in self.wanted])
         self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(self.wanted, ends, strict=True)]
         plain: dict[tuple[str, float], tuple[list[int], list[int], list[int]]]
@@ -395,7 +395,9 @@ class TargetEvaluator:
             into += range(part.start, part.stop)
             rows += [self.names[item.quantity]] * len(item.poses)
             columns += self._columns(item).tolist()
-        self._plain = {key: tuple(np.array(one, dtype=np.intp) for one in lists) for key, lists in plain.items()}
+        self._plain = {
+            key: tuple(np.array(indices, dtype=np.intp) for indices in lists) for key, lists in plain.items()
+        }
 
     def _columns(self, item: Wanted) -> NDArray[np.intp]:
         """Places of a target's poses in the walk of its grid."""
@@ -437,8 +439,8 @@ class TargetEvaluator:
     def _of_corner(self, item: Wanted, moved: Array | None) -> tuple[Array, Array | None]:
         grid = self._grids[self._key(item)]
         i = self._columns(item)
-        found = grid.sweep.found
-        outputs = np.where(found.outcome == REACHED, found.outputs, np.nan)
+        poses = grid.sweep.found
+        outputs = np.where(poses.outcome == REACHED, poses.outputs, np.nan)
         if item.quantity in self.names:
             row = self.names[item.quantity]
             return outputs[row, i], None if moved is None else moved[row][:, i].T
@@ -477,8 +479,8 @@ class TargetEvaluator:
         if key not in self._posed:
             directions = self._padded if slopes else None
             self._posed[key] = PosedCorner.along(self.rig, self._solid, (travel, rack), numbers, directions)
-        found, along = self._posed[key].distance(*item.pair)
-        return found, None if along is None else along.T
+        distance, along = self._posed[key].distance(*item.pair)
+        return distance, None if along is None else along.T
 
     # axles ---------------------------------------------------------------------------------------------------------
 
@@ -487,47 +489,54 @@ class TargetEvaluator:
     ) -> tuple[Array, Array | None]:
         key = (kind, float(item.poses[0, 0 if kind == "steering" else 1]))
         if key not in known:
-            mine = [one for one in self.wanted if self._kind(one) == kind and _fixed(one, kind) == key[1]]
-            names = {one.quantity for one in mine}
-            at = np.unique(np.concatenate([_swept(one, kind) for one in mine]))
-            known[key] = at, (self._steered if kind == "steering" else self._rolled)(numbers, at, key[1], names, slopes)
+            mine = [
+                target for target in self.wanted if self._kind(target) == kind and _fixed_value(target, kind) == key[1]
+            ]
+            names = {target.quantity for target in mine}
+            at = np.unique(np.concatenate([_swept_values(target, kind) for target in mine]))
+            known[key] = (
+                at,
+                (self._evaluate_steering if kind == "steering" else self._evaluate_roll)(
+                    numbers, at, key[1], names, slopes
+                ),
+            )
         at, (values, moved) = known[key]
-        i = np.searchsorted(at, _swept(item, kind))
+        i = np.searchsorted(at, _swept_values(item, kind))
         return values[item.quantity][i], moved[item.quantity][:, i].T if slopes else None
 
-    def _steered(
+    def _evaluate_steering(
         self, numbers: Array, racks: Array, travel: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
         axle = self._axle(numbers, self._everywhere if slopes else None)
         left, right = (axle.wheel(side, travel, racks) for side in (1.0, -1.0))
 
-        def rows(one: WheelRows, other: WheelRows, numbers: Array) -> dict[str, Array]:
-            found = steering_rows(self._axle(numbers), one, other, racks, self.vehicle).values
-            return {name: found[name] for name in names}
+        def rows(left: WheelRows, right: WheelRows, numbers: Array) -> dict[str, Array]:
+            computed = steering_rows(self._axle(numbers), left, right, racks, self.vehicle).values
+            return {name: computed[name] for name in names}
 
         values = rows(left, right, numbers)
         if not slopes:
             return values, {}
         return values, self._along(lambda a, b, p, _: rows(a, b, p), axle, left, right, numbers, 0.0)
 
-    def _rolled(
+    def _evaluate_roll(
         self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
         whole = names & {*_STIFF, *(("roll_moment",) if reaches_over(self.rig) else ())}
         if whole:  # what reaches over to the other wheel needs more than the rows of both
-            values, moved = self._differenced(numbers, roll, rack, whole, slopes=slopes)
+            values, moved = self._difference_roll(numbers, roll, rack, whole, slopes=slopes)
             if whole == names:
                 return values, moved
-            others = self._rolled(numbers, roll, rack, names - whole, slopes)
+            others = self._evaluate_roll(numbers, roll, rack, names - whole, slopes)
             return values | others[0], moved | others[1]
         rising = tuple(np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere)  # travel, too
         axle = self._axle(numbers, (rising[0], rising[1]) if slopes else None)
         left, right = axle.level(roll, rack)
 
-        def rows(one: WheelRows, other: WheelRows, numbers: Array, roll: Array) -> dict[str, Array]:
-            sides = Ground(one, roll, 1.0), Ground(other, roll, -1.0)
-            found = roll_rows(self._axle(numbers), *sides, np.zeros_like(roll)).values
-            return {name: found[name] for name in names}
+        def rows(left: WheelRows, right: WheelRows, numbers: Array, roll: Array) -> dict[str, Array]:
+            sides = Ground(left, roll, 1.0), Ground(right, roll, -1.0)
+            computed = roll_rows(self._axle(numbers), *sides, np.zeros_like(roll)).values
+            return {name: computed[name] for name in names}
 
         values = rows(left.wheel, right.wheel, numbers, roll)
         if not slopes:
@@ -548,14 +557,14 @@ class TargetEvaluator:
             }
         return values, self._along(rows, axle, left.wheel, right.wheel, numbers, roll)
 
-    def _differenced(
+    def _difference_roll(
         self, numbers: Array, roll: Array, rack: float, names: set[str], *, slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
-        """Rows of a whole axle that rolls, and their differences along each direction."""
+        """Rows of a rolling axle, and their differences along each direction."""
 
         def at(numbers: Array) -> dict[str, Array]:
-            found = rolled(self._axle(numbers), roll, rack).values
-            return {name: found[name] for name in names}
+            computed = rolled(self._axle(numbers), roll, rack).values
+            return {name: computed[name] for name in names}
 
         moved = dict[str, list[Array]]()
         for k, length in enumerate(self.lengths if slopes else ()):
@@ -569,7 +578,7 @@ class TargetEvaluator:
         self, rows: Any, axle: TwoWheelAxle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
     ) -> dict[str, Array]:
         """Slopes of closed formulas of both wheels' rows along each direction, by differences along exact slopes."""
-        found: dict[str, list[Array]] = {}
+        slopes_by_name: dict[str, list[Array]] = {}
         for k, length in enumerate(self.lengths):
             step = _SHARE * length
             ends = []
@@ -583,8 +592,8 @@ class TargetEvaluator:
                 ]
                 ends.append(rows(*wheels, numbers + sign * step * self._every[:, k], roll))
             for name in ends[0]:
-                found.setdefault(name, []).append((ends[0][name] - ends[1][name]) / (2.0 * step))
-        return {name: np.array(slopes) for name, slopes in found.items()}
+                slopes_by_name.setdefault(name, []).append((ends[0][name] - ends[1][name]) / (2.0 * step))
+        return {name: np.array(slopes) for name, slopes in slopes_by_name.items()}
 
     def _radius_slope(self, side: float, k: int) -> float:
         own = self._everywhere[0 if side > 0.0 else 1]
@@ -633,7 +642,9 @@ class Evaluators:
             mine = [i for i, item in enumerate(wanted) if (item.rig, item.right) == (name, right)]
             into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
             sides = [name, right] if right else [name]
-            part = np.concatenate([np.arange(numbering.parts[one].start, numbering.parts[one].stop) for one in sides])
+            part = np.concatenate(
+                [np.arange(numbering.parts[side].start, numbering.parts[side].stop) for side in sides]
+            )
             member = TargetEvaluator(
                 numbering.rigs[name],
                 [wanted[i] for i in mine],
@@ -665,10 +676,10 @@ class Evaluators:
         return [end for *_, member in self._members for end in member.unreached()]
 
 
-def _swept(item: Wanted, kind: str) -> Array:
+def _swept_values(item: Wanted, kind: str) -> Array:
     """Roll angles (rad) or rack travels (m) of a target of an axle."""
     return item.poses[:, 1 if kind == "steering" else 2]
 
 
-def _fixed(item: Wanted, kind: str) -> float:
+def _fixed_value(item: Wanted, kind: str) -> float:
     return float(item.poses[0, 0 if kind == "steering" else 1])

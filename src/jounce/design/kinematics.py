@@ -54,7 +54,7 @@ _NO_VALUE = (
 
 @dataclass(frozen=True)
 class TargetResult(Plain):
-    """A target before and after: values (SI), one for a single pose or a slope, else one a pose of its curve.
+    """A target before and after: values (SI), one for a single pose or a slope, otherwise one per pose of its curve.
 
     ``wanted`` is a value, a list of them, or the limits ``[at_least, at_most]`` (None where there is none); ``at`` is
     where the curve's values stand (m or rad), along ``along``. ``must`` says whether it is a constraint, ``rig`` whose
@@ -239,12 +239,14 @@ class KinematicDesign(Plain):
 
     def before(self) -> dict[str, Corner]:
         """Give the rigs that the search began with."""
-        found = {}
+        rigs = {}
         for name, rig in self.rigs.items():
             head = f"{name}." if name else ""
-            mine = {path.removeprefix(head): one.before for path, one in self.moved.items() if path.startswith(head)}
-            found[name] = rig.with_changes(mine)
-        return found
+            mine = {
+                path.removeprefix(head): number.before for path, number in self.moved.items() if path.startswith(head)
+            }
+            rigs[name] = rig.with_changes(mine)
+        return rigs
 
     def fighting(self) -> tuple[Fight, ...]:
         """Give each pair of targets that fight once: two that are missed both stand against each other."""
@@ -273,8 +275,8 @@ class KinematicDesign(Plain):
     def identified_table(self) -> str:
         """Give as CSV how well the curves tell each free number, SI; empty where they do not."""
         rows = [
-            ",".join([one.number, one.unit, *("" if x is None else repr(x) for x in (one.alone, one.together))])
-            for one in self.identified
+            ",".join([row.number, row.unit, *("" if x is None else repr(x) for x in (row.alone, row.together))])
+            for row in self.identified
         ]
         return "\n".join(["number,unit,alone,together", *rows, ""])
 
@@ -283,13 +285,13 @@ class KinematicDesign(Plain):
         rows = ["target,quantity,unit,along,at,before,after,wanted,tolerance"]
         for i, target in enumerate(self.targets):
             before, after = (value if isinstance(value, list) else [value] for value in (target.before, target.after))
-            for k, (one, other) in enumerate(zip(before, after, strict=True)):
+            for k, (value_before, value_after) in enumerate(zip(before, after, strict=True)):
                 wanted = target.wanted if target.limits or not isinstance(target.wanted, list) else target.wanted[k]
                 ends = wanted if isinstance(wanted, list) else [wanted]
                 text = " to ".join("" if end is None else repr(end) for end in ends)
                 at = repr(target.at[k]) if len(after) > 1 or len(target.at) == 1 else ""
                 head = f"{i},{_head(target)},{target.unit},{target.along},{at}"
-                rows.append(f"{head},{one!r},{other!r},{text},{target.tolerance!r}")
+                rows.append(f"{head},{value_before!r},{value_after!r},{text},{target.tolerance!r}")
         return "\n".join([*rows, ""])
 
 
@@ -366,7 +368,7 @@ def design_kinematics(
     (True, 148.4)
     """
     if free is None or targets is None:
-        return _of_file(rig, free, targets)
+        return _design_from_file(rig, free, targets)
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
     made = Spread(**spread) if isinstance(spread, Mapping) else spread
@@ -374,7 +376,7 @@ def design_kinematics(
     return design(task, starts, seed)
 
 
-def _of_file(rig: object, free: object, targets: object) -> KinematicDesign:
+def _design_from_file(rig: object, free: object, targets: object) -> KinematicDesign:
     if not isinstance(rig, (str, Path)) or free is not None or targets is not None:
         raise DescriptionError(
             "free points or targets are missing", where="design_kinematics", allowed="both, or a study file alone"
@@ -384,7 +386,7 @@ def _of_file(rig: object, free: object, targets: object) -> KinematicDesign:
 
 @dataclass(frozen=True)
 class KinematicTask:
-    """What a search is asked: rigs by name, what is free and wanted in the words of a study, and cars around them."""
+    """Task of a search: rigs by name, free numbers and targets as in a study, and the cars around the rigs."""
 
     rigs: Rigs
     free: tuple[FreePoint, ...]
@@ -394,7 +396,7 @@ class KinematicTask:
     shapes: Mapping[str, Shape] = field(default_factory=dict)
 
     def read(self) -> tuple[Numbering, FreeNumbers, list[Wanted]]:
-        """Read it into numbers; what cannot be asked is refused."""
+        """Read the task into numbers; refuse impossible targets."""
         numbering = Numbering.of(self.rigs)
         wanted = read_targets(self.rigs, self.targets, self.vehicles, self.shapes)
         return numbering, free_numbers(numbering, self.free), wanted
@@ -436,7 +438,7 @@ def read_task(
                 "not a name of a rig", where="rig", found=str(name), allowed="letters, digits, _ and -"
             )
     return KinematicTask(
-        {name: check_corner(one) for name, one in rigs.items()},
+        {name: check_corner(corner) for name, corner in rigs.items()},
         tuple(points),
         tuple(wishes),
         cars,
@@ -448,7 +450,7 @@ Found = TypeVar("Found")
 
 
 def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], Found]) -> tuple[Found, dict[str, Path]]:
-    """Read a study file and run it; give what was found and the file of each rig. Errors name the file and the line."""
+    """Read a study file and run it; return the design and the file of each rig. Errors name file and line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
     files = {name: rig_named_in(file, Path(path)) for name, file in study.named().items()}
     try:
@@ -461,7 +463,7 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], F
 
 
 def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
-    """Read a study file without a search; give it with how many numbers are free. Errors name the file and the line."""
+    """Read a study file without a search; return it and the number of free numbers. Errors name file and line."""
 
     def read(study: KinematicStudy, task: KinematicTask) -> tuple[KinematicStudy, int]:
         _, numbers, wanted = task.read()
@@ -482,14 +484,14 @@ def _place_error(error: DescriptionError, path: Path | str, text: str) -> Descri
 
 
 def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
-    """Search for the hardpoints that a task asks for."""
+    """Search for the hardpoints of a task."""
     search = task.search()
     before = values_before(search)
     task.check_spread(search.wanted)
     refuse_idle(search, task.free, seed)
     outcomes = [search_from(search, x) for x in places(search, starts, seed)]
     first = min(range(len(outcomes)), key=lambda i: outcomes[i].rank)
-    outcomes[first] = outcomes[first].drawn_back(search)  # the one that is proposed: it takes longer than a search
+    outcomes[first] = outcomes[first].move_back(search)  # the one that is proposed: it takes longer than a search
     reached = [outcome for outcome in outcomes if np.isfinite(outcome.cost)]
     if not reached:
         raise DescriptionError(
@@ -498,7 +500,7 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
             found=f"{len(outcomes)} starts, all out of reach",
             hint="Widen the boxes, or let them hold the rig's own points.",
         )
-    for best in sorted(reached, key=lambda one: one.rank):
+    for best in sorted(reached, key=lambda outcome: outcome.rank):
         try:
             moved = moved_rigs(search, best.x)
         except JounceError:
@@ -536,7 +538,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
 
 
 def moved_rigs(search: HardpointSearch, x: Array) -> dict[str, Corner]:
-    """The rigs found, their numbers as they can be written: lengths to the nanometre in mm."""
+    """Rigs of a result, their numbers rounded as files show them: lengths to the nanometre in mm."""
     numbering = search.evaluator.numbering
     index = {path: i for i, path in enumerate(numbering.paths)}
     numbers = search.numbers(x)
@@ -553,7 +555,7 @@ def moved_rigs(search: HardpointSearch, x: Array) -> dict[str, Corner]:
 
 
 def _numbers_at(search: HardpointSearch, outcome: Outcome) -> dict[str, float]:
-    """The free numbers where a search ended, as they can be written; none where they are no rig."""
+    """Free numbers where a search ended, rounded as in files; none where they make no rig."""
     if not np.isfinite(outcome.cost):
         return {}
     numbering = search.evaluator.numbering
@@ -575,7 +577,7 @@ def _result(
 ) -> KinematicDesign:
     numbering = search.evaluator.numbering
     values, slopes = search.evaluator.at(numbering.values(moved))
-    targets = tuple(target_result(*one) for one in zip(search.wanted, before, values, strict=True))
+    targets = tuple(target_result(*triple) for triple in zip(search.wanted, before, values, strict=True))
     known = dict(zip(numbering.paths, zip(numbering.values(), numbering.values(moved), strict=True), strict=True))
     tells = [
         StartResult(
@@ -609,12 +611,12 @@ def _result(
             for name, rig in moved.items()
             if task.spread is not None and wanted_of(search.wanted, name)
         },
-        findings=(*_findings(search, x, targets), *_unsettled(outcomes), *_unspread(task, search.wanted)),
+        findings=(*_findings(search, x, targets), *_count_unsettled(outcomes), *_list_unspread(task, search.wanted)),
     )
 
 
 def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
-    """A target in the words of results."""
+    """Describe a target as a result."""
     text = item.text
     limits = text.values is None and text.value is None
     if limits:
@@ -641,7 +643,7 @@ def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
 
 
 def _sensitivity(task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]) -> dict[str, tuple[float, ...]]:
-    """What each coordinate of a hardpoint changes of each target, SI per metre, the largest over its curve."""
+    """Change of each target with each coordinate of a hardpoint, SI per metre, the largest over its curve."""
     numbering = Numbering.of(rigs)
     paths = [path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")]
     directions = np.zeros((len(numbering.paths), len(paths)))
@@ -664,14 +666,14 @@ def _room(search: HardpointSearch, x: Array) -> NDArray[np.bool_]:
 
 
 def _fights(search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]) -> tuple[Fight, ...]:
-    """Targets that go away when one that is missed comes nearer, at what the boxes still allow."""
+    """Targets that get worse when a missed one gets better, along the directions that the boxes still allow."""
     room = _room(search, x)
     pulls = []
     for item, value, slope in zip(search.wanted, values, slopes, strict=True):
         off = item.off(value) / item.tolerance
         pulls.append((off @ slope * search.scale / item.tolerance) * room)
     sizes = [float(np.linalg.norm(pull)) for pull in pulls]
-    found = []
+    fights = []
     for i, item in enumerate(search.wanted):
         if item.is_met_by(values[i]) or sizes[i] == 0.0:
             continue
@@ -679,28 +681,28 @@ def _fights(search: HardpointSearch, x: Array, values: list[Array], slopes: list
             if j != i and size > 0.0:
                 cosine = float(pulls[i] @ pulls[j] / (sizes[i] * size))
                 if cosine < _FIGHTS:
-                    found.append(Fight(i, j, cosine))
-    return tuple(found)
+                    fights.append(Fight(i, j, cosine))
+    return tuple(fights)
 
 
 def _tradeoffs(
     search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]
 ) -> tuple[tuple[float, ...], ...]:
-    """How targets answer when one more tolerance is asked of one: the compromise anew, to first order."""
+    """Response of all targets when one is moved by one tolerance: the new compromise, to first order."""
     room = _room(search, x)
     moves = [slope * search.scale / item.tolerance * room for item, slope in zip(search.wanted, slopes, strict=True)]
-    # limits ask for nothing but where they are reached
+    # limits have an effect only where they are reached
     asks = [
         item.text.weight / np.sqrt(len(item.low)) * ((item.low == item.high) | (_room_within(item, value) < _AT_LIMIT))
         for item, value in zip(search.wanted, values, strict=True)
     ]
     rows = np.vstack([ask[:, None] * move for ask, move in zip(asks, moves, strict=True)])
     normal = rows.T @ rows + _GENTLE**2 * np.eye(rows.shape[1])
-    found = []
+    tradeoffs = []
     for ask, move in zip(asks, moves, strict=True):
         step = np.linalg.solve(normal, (ask[:, None] ** 2 * move).sum(axis=0))
-        found.append(tuple(float(_largest((other @ step)[:, None])[0]) for other in moves))
-    return tuple(found)
+        tradeoffs.append(tuple(float(_largest((target_move @ step)[:, None])[0]) for target_move in moves))
+    return tuple(tradeoffs)
 
 
 def _room_within(item: Wanted, value: Array) -> Array:
@@ -711,7 +713,7 @@ def _room_within(item: Wanted, value: Array) -> Array:
 def identifiability(
     search: HardpointSearch, slopes: list[Array]
 ) -> tuple[tuple[Identified, ...], tuple[OpenCombination, ...]]:
-    """How well values that are known to their tolerances tell the free numbers, and what they leave open."""
+    """How well values that are known to their tolerances determine the free numbers, and which they leave open."""
     rows = np.vstack(
         [
             slope * search.scale / item.tolerance * (item.low == item.high)[:, None]
@@ -720,11 +722,11 @@ def identifiability(
     )
     labels, units = search.free.labels, [search.evaluator.numbering.unit(path) for path in search.free.firsts]
     size = len(labels)
-    _, seen, directions = np.linalg.svd(np.vstack([rows, np.zeros((size, size))]), full_matrices=False)
-    told_apart = seen > _NOISE * max(float(seen[0]), _SEEN)
+    _, singular_values, directions = np.linalg.svd(np.vstack([rows, np.zeros((size, size))]), full_matrices=False)
+    is_determined = singular_values > _NOISE * max(float(singular_values[0]), _SEEN)
     alone = np.linalg.norm(rows, axis=0)
-    spread = np.sqrt(((directions[told_apart] / seen[told_apart, None]) ** 2).sum(axis=0))
-    lost = ((directions[~told_apart] ** 2).sum(axis=0) > _LOST) | (spread > 1.0)
+    spread = np.sqrt(((directions[is_determined] / singular_values[is_determined, None]) ** 2).sum(axis=0))
+    lost = ((directions[~is_determined] ** 2).sum(axis=0) > _LOST) | (spread > 1.0)
     numbers = tuple(
         Identified(
             label,
@@ -734,23 +736,23 @@ def identifiability(
         )
         for j, (label, unit) in enumerate(zip(labels, units, strict=True))
     )
-    weak = [k for k in range(size - 1, -1, -1) if seen[k] < _SEEN][:_MOST_OPEN]
+    weak = [k for k in range(size - 1, -1, -1) if singular_values[k] < _SEEN][:_MOST_OPEN]
     combinations = []
     for k in weak:
         shares = directions[k] * np.sign(directions[k][np.argmax(np.abs(directions[k]))])
-        kept = {label: float(share) for label, share in zip(labels, shares, strict=True) if abs(share) > _PART}
-        combinations.append(OpenCombination(float(seen[k]) if told_apart[k] else 0.0, kept))
+        weights = {label: float(share) for label, share in zip(labels, shares, strict=True) if abs(share) > _PART}
+        combinations.append(OpenCombination(float(singular_values[k]) if is_determined[k] else 0.0, weights))
     return numbers, tuple(combinations)
 
 
-def _unspread(task: KinematicTask, wanted: Sequence[Wanted]) -> list[Finding]:
-    """Targets that a spread does not know."""
+def _list_unspread(task: KinematicTask, wanted: Sequence[Wanted]) -> list[Finding]:
+    """List targets that the spread does not cover."""
     several = [i for i, item in enumerate(wanted) if task.spread is not None and item.right]
     return [finding("design.not_in_spread", f"target[{i}] {wanted[i].label}") for i in several]
 
 
-def _unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
-    """How many searches ended before they came to rest."""
+def _count_unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
+    """Count searches that ended before they converged."""
     count = sum(outcome.ended == UNSETTLED for outcome in outcomes)
     return (
         [finding("design.searches_unsettled", "starts", count, count=count, all=len(outcomes), ended=UNSETTLED)]
@@ -760,16 +762,16 @@ def _unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
 
 
 def _findings(search: HardpointSearch, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:
-    found = []
+    findings = []
     met = all(target.met for target in targets)
     for j in np.flatnonzero((x < search.lower + _EDGE) | (x > search.upper - _EDGE)):
         code = "design.box_edge_met" if met else "design.box_edge_missed"
         if not met or abs(x[j]) > _EDGE:
-            found.append(finding(code, search.free.labels[j], search.scale[j] * x[j]))
+            findings.append(finding(code, search.free.labels[j], search.scale[j] * x[j]))
     for i, target in enumerate(targets):
         if not target.met:
             far = float(np.max(np.abs(search.wanted[i].off(np.atleast_1d(np.array(target.after))))))
             code = "design.must_missed" if target.must else "design.target_missed"
             place = f"target[{i}] {search.wanted[i].label}"
-            found.append(finding(code, place, far, tolerances=far / target.tolerance))
-    return found
+            findings.append(finding(code, place, far, tolerances=far / target.tolerance))
+    return findings

@@ -142,8 +142,8 @@ class Lumping:
         k, k_t = self.wheel_rate, self.tyre_stiffness
         product = sprung * unsprung + b * (sprung + unsprung)
         total = k * unsprung + (k + k_t) * sprung + k_t * b
-        found = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (2.0 * (k + k_t))
-        return found, product / found
+        sprung_mass = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (2.0 * (k + k_t))
+        return sprung_mass, product / sprung_mass
 
     def matrices(self) -> tuple[Array, Array, Array]:
         """Mass, damping and stiffness of the heights of body and wheel centre, each shape (2, 2)."""
@@ -162,7 +162,7 @@ class Lumping:
         inverse = np.linalg.inv(mass)
         upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
         values, vectors = np.linalg.eig(np.vstack([upper, np.hstack([-inverse @ stiffness, -inverse @ damping])]))
-        found = []
+        modes = []
         for value, vector in zip(values, vectors.T, strict=True):
             if value.imag > 1e-9 * abs(value):
                 shape = vector[:2] / vector[np.argmax(np.abs(vector[:2]))]
@@ -171,10 +171,10 @@ class Lumping:
                     for name, z in zip(("sprung.z", "unsprung.z"), shape, strict=True)
                 }
                 size = float(abs(value))
-                found.append(
+                modes.append(
                     Mode(size / (2 * np.pi), float(value.imag) / (2 * np.pi), float(-value.real / size), shapes)
                 )
-        return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
+        return tuple(sorted(modes, key=lambda mode: mode.frequency_hz))
 
 
 def lump(rig: Rig) -> Lumping:
@@ -190,7 +190,7 @@ def lump(rig: Rig) -> Lumping:
     >>> round(found.motion_ratio, 4), round(sum(found.static_masses), 2)   # cos(26 deg); 21.8 kg in all
     (0.8988, 21.8)
     """
-    corner = _heaving(rig)
+    corner = _guide_vertically(rig)
     rest = equilibrium(corner)
     travel = rest["unsprung.z"] - rest["sprung.z"]
     at_rest = sweep_travel(corner, [travel]).isel(wheel_travel=0)
@@ -253,8 +253,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
     >>> round(float(np.degrees(car.strut.angle)), 1), round(car.sprung.mass, 1), round(car.unsprung.mass, 1)
     (26.0, 16.4, 5.0)
     """
-    corner, found = _heaving(rig), lump(rig)
-    ratio = found.damper_ratio
+    corner, lumping = _guide_vertically(rig), lump(rig)
+    ratio = lumping.damper_ratio
     lowest = float(np.cos(LARGEST))
     if not lowest <= ratio <= 1.0 + 1e-12:
         raise DescriptionError(
@@ -264,12 +264,12 @@ def lumped_from(rig: Rig) -> QuarterCar:
             allowed=f"{lowest:.3g} to 1",
             hint="Describe the quarter car by hand, with rates and coefficients at the wheel.",
         )
-    sprung, unsprung = found.effective_masses
-    stop, stop_force, stop_rate = _stop(corner, found)
-    damper = _damper(corner, found)
-    gas, gas_rate = damper.at_rest(ratio * found.travel)
-    rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2 - gas_rate
-    static = (found.wheel_force - stop_force * found.motion_ratio) / ratio - gas
+    sprung, unsprung = lumping.effective_masses
+    stop, stop_force, stop_rate = _stop(corner, lumping)
+    damper = _damper(corner, lumping)
+    gas, gas_rate = damper.at_rest(ratio * lumping.travel)
+    rate = (lumping.wheel_rate - stop_rate * lumping.motion_ratio**2) / ratio**2 - gas_rate
+    static = (lumping.wheel_force - stop_force * lumping.motion_ratio) / ratio - gas
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
@@ -280,7 +280,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
         "unsprung": {"mass": unsprung},
         "strut": {
             "angle": float(np.arccos(min(ratio, 1.0))),
-            "spring": {"rate": rate, "preload": static - rate * ratio * found.travel},
+            "spring": {"rate": rate, "preload": static - rate * ratio * lumping.travel},
             "damper": damper.model_dump(),
         },
         "tyre": tyre,
@@ -294,8 +294,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
     return QuarterCar.from_table(table)
 
 
-def _heaving(rig: Rig) -> Corner:
-    """The corner on a vertical guide with ideal joints."""
+def _guide_vertically(rig: Rig) -> Corner:
+    """Mount the corner on a vertical guide with ideal joints."""
     if not isinstance(rig, Corner):
         raise DescriptionError(
             "this rig is lumped already",
@@ -341,14 +341,14 @@ def _tyre_slope(rig: Corner, deflection: float) -> float:
     return (upper - lower) / (2.0 * step)
 
 
-def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
+def _stop(rig: Corner, lumping: Lumping) -> tuple[dict[str, float], float, float]:
     """Bump stop along the lumped strut, and its force (N) and stiffness (N/m) along the spring at rest."""
-    stop, scale = rig.strut.bump_stop, found.motion_ratio / found.damper_ratio
+    stop, scale = rig.strut.bump_stop, lumping.motion_ratio / lumping.damper_ratio
     if stop is None:
         return {}, 0.0, 0.0
-    depth = found.spring_deflection - stop.gap
+    depth = lumping.spring_deflection - stop.gap
     table = {
-        "gap": found.damper_ratio * found.travel - depth / scale,
+        "gap": lumping.damper_ratio * lumping.travel - depth / scale,
         "rate": stop.rate * scale**2,
         "progression": stop.progression * scale**4,
     }
@@ -358,16 +358,18 @@ def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
     return table, force, stop.rate + 3.0 * stop.progression * depth**2
 
 
-def _damper(rig: Corner, found: Lumping) -> DamperLaw:
+def _damper(rig: Corner, lumping: Lumping) -> DamperLaw:
     """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
-    damper: DamperLaw = rig.strut.damper.at_length(rig.hardpoints.length("damper") - found.damper_ratio * found.travel)
+    damper: DamperLaw = rig.strut.damper.at_length(
+        rig.hardpoints.length("damper") - lumping.damper_ratio * lumping.travel
+    )
     third = None if rig.third_spring is None else rig.third_spring.damper
-    if third is None or found.third_ratio == 0.0:
+    if third is None or lumping.third_ratio == 0.0:
         return damper
-    one, other = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
-    share = found.third_ratio / found.damper_ratio  # velocity of the third damper for one of the lumped one
-    velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
-    both = on_lines(*one, velocities) + 0.5 * share * on_lines(*other, share * velocities)
+    own_points, third_points = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
+    share = lumping.third_ratio / lumping.damper_ratio  # velocity of the third damper for one of the lumped one
+    velocities = np.unique(np.round(np.concatenate([own_points[0], third_points[0] / share]), 12))
+    both = on_lines(*own_points, velocities) + 0.5 * share * on_lines(*third_points, share * velocities)
     return VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist()))
 
 

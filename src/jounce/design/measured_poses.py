@@ -208,13 +208,13 @@ def fit_hardpoints(
     for k in np.flatnonzero(idle == 0.0):
         raise DescriptionError("changes nothing that was measured", where="free", found=table.labels[k])
     ended: list[tuple[float, Array]] = []
-    for begin in _begins(numbers, len(table.offsets), starts, seed):
+    for begin in _starting_points(numbers, len(table.offsets), starts, seed):
         x, weights = begin, spread
         for _ in range(1 if len(given) == len(table.names) else _ROUNDS):
             sought = least_squares(
-                lambda x, weights: table.weighed(x, weights)[0],
+                lambda x, weights: table.weigh(x, weights)[0],
                 x,
-                jac=lambda x, weights: table.weighed(x, weights)[1],
+                jac=lambda x, weights: table.weigh(x, weights)[1],
                 args=(weights,),
                 bounds=table.bounds,
                 x_scale=table.scale,
@@ -224,7 +224,7 @@ def fit_hardpoints(
             )
             x = np.asarray(sought.x, dtype=float)
             weights = table.spread_of(table.left(x), given, count)
-        ended.append((float(np.sum(table.weighed(x, spread)[0] ** 2)), x))
+        ended.append((float(np.sum(table.weigh(x, spread)[0] ** 2)), x))
     costs = np.array([cost for cost, _ in ended])
     best = ended[int(np.argmin(costs))][1]
     agreed = int(np.sum([np.max(np.abs(x - best) / table.scale) < 1e-3 for _, x in ended]))
@@ -242,7 +242,7 @@ def _read_poses(file: Path, corner: Corner) -> dict[str, Array]:
     return {name: table[name].in_si(units[name]) for name in table.names}
 
 
-def _begins(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
+def _starting_points(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
     check_seed(seed)
@@ -260,10 +260,10 @@ class _Table:
         self, rig: Corner, paths: tuple[str, ...], measured: Any, numbers: FreeNumbers, offsets: Sequence[str]
     ) -> None:
         self.rig, self.paths, self.numbers = rig, paths, numbers
-        given = {str(name): measured[name] for name in _names_of(measured)}
+        given = {str(name): measured[name] for name in _list_names(measured)}
         if "wheel_travel" not in given:
-            found = ", ".join(given) or "nothing"
-            raise DescriptionError("no poses", where="measured", found=found, allowed="wheel_travel")
+            columns = ", ".join(given) or "nothing"
+            raise DescriptionError("no poses", where="measured", found=columns, allowed="wheel_travel")
         self.travel = path_values(given.pop("wheel_travel"), "wheel_travel")
         self.rack = np.zeros_like(self.travel)
         if "rack_travel" in given:
@@ -276,15 +276,18 @@ class _Table:
         if not given:
             raise DescriptionError("nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe")
         values = {}
-        for name, one in given.items():
+        for name, readings in given.items():
             if name not in rows:
                 require_parts(rig, name)
                 raise unknown(name, rows, what="quantity", where="measured")
             unit, where = sweep.model.rows[rows[name]].unit, f"measured: {name}"
-            values[name] = one = as_samples(one, unit, where=where, error=DescriptionError).ravel()  # noqa: PLW2901
-            if one.shape != self.travel.shape:
+            values[name] = readings = as_samples(readings, unit, where=where, error=DescriptionError).ravel()  # noqa: PLW2901
+            if readings.shape != self.travel.shape:
                 raise DescriptionError(
-                    "not one reading a pose", where=f"measured: {name}", found=len(one), allowed=str(len(self.travel))
+                    "not one reading a pose",
+                    where=f"measured: {name}",
+                    found=len(readings),
+                    allowed=str(len(self.travel)),
                 )
         self.names = tuple(values)
         for name in offsets:
@@ -309,7 +312,7 @@ class _Table:
         return self._units[name]
 
     def part(self, name: str) -> slice:
-        """Where the readings of a quantity stand."""
+        """Place of a quantity's readings among all."""
         i, size = self.names.index(name), len(self.travel)
         return slice(i * size, (i + 1) * size)
 
@@ -324,7 +327,7 @@ class _Table:
 
     @property
     def scale(self) -> Array:
-        """How far each number may go; of an offset how far its readings reach."""
+        """Scale of each number: its range; of an offset the range of its readings."""
         reach = [max(float(np.nanstd(self.readings[self.part(name)])), 1e-9) for name in self.offsets]
         return np.concatenate([self.numbers.lengths, reach])
 
@@ -337,8 +340,8 @@ class _Table:
         size = self.numbers.directions.shape[1]
         self._sweep.walk.p[:] = self.numbers.origin + self.numbers.directions @ x[:size]
         self._sweep.run()
-        found = self._sweep.found
-        rows = np.where(found.outcome == REACHED, found.outputs, np.nan)[self._rows]
+        poses = self._sweep.found
+        rows = np.where(poses.outcome == REACHED, poses.outputs, np.nan)[self._rows]
         return rows.ravel() + self._shift @ x[size:]
 
     def left(self, x: Array) -> Array:
@@ -346,12 +349,12 @@ class _Table:
         return np.asarray(self.model(x) - self.readings)
 
     def slopes(self, x: Array) -> tuple[Array, Array]:
-        """Slopes of the model's values along all numbers, and what is left."""
+        """Slopes of the model's values along all numbers, and the residuals."""
         left = self.left(x)
         moved = self._tangents.run()[self._rows]  # (quantities, directions, poses)
         return np.hstack([moved.transpose(0, 2, 1).reshape(len(left), -1), self._shift]), left
 
-    def weighed(self, x: Array, spread: Array) -> tuple[Array, Array]:
+    def weigh(self, x: Array, spread: Array) -> tuple[Array, Array]:
         """Residuals and slopes in standard deviations, 1e3 where a pose is out of reach."""
         slopes, left = self.slopes(x)
         good = np.isfinite(left) & self.known
@@ -359,19 +362,19 @@ class _Table:
         return residuals, np.where(good[:, None], slopes, 0.0)[self.known] / spread[self.known, None]
 
     def spread_of(self, left: Array, given: Mapping[str, float], count: int) -> Array:
-        """Standard deviation of every reading: the one given, or that of what is left of its quantity."""
+        """Standard deviation of every reading: as given, or that of the residuals of its quantity."""
         used = 1.0 - count / max(int(self.known.sum()), count + 1)
-        found = np.empty_like(self.readings)
+        spread = np.empty_like(self.readings)
         for name in self.names:
             part = self.part(name)
-            one = left[part][self.known[part]]
-            own = float(np.sqrt(np.mean(one[np.isfinite(one)] ** 2) / used)) if one.size else 1.0
+            residuals = left[part][self.known[part]]
+            own = float(np.sqrt(np.mean(residuals[np.isfinite(residuals)] ** 2) / used)) if residuals.size else 1.0
             least = 1e-9 * max(float(np.nanmax(np.abs(self.readings[part]), initial=0.0)), 1e-6)
-            found[part] = given.get(name, max(own, least))
-        return found
+            spread[part] = given.get(name, max(own, least))
+        return spread
 
 
-def _names_of(measured: Any) -> list[str]:
+def _list_names(measured: Any) -> list[str]:
     if isinstance(measured, Mapping) and not hasattr(measured, "data_vars"):
         return [str(name) for name in measured]
     axes = [name for name in _AXES if name in measured.coords]
@@ -388,9 +391,9 @@ def _describe_fit(
     widened = spread.copy()
     for name in table.names:
         part = table.part(name)
-        one = left[part][table.known[part]]
-        widened[part] *= np.sqrt(correlation_time(one)) if one.size else 1.0
-        share = float(np.sqrt(np.mean((one / spread[part][table.known[part]]) ** 2))) if one.size else 0.0
+        residuals = left[part][table.known[part]]
+        widened[part] *= np.sqrt(correlation_time(residuals)) if residuals.size else 1.0
+        share = float(np.sqrt(np.mean((residuals / spread[part][table.known[part]]) ** 2))) if residuals.size else 0.0
         if name in given and share > _FARTHEST:
             findings.append(finding("design.pose_unexplained", name, share, times=share))
             widened[part] *= share
@@ -417,7 +420,7 @@ def _describe_fit(
     quantities = {}
     for name in table.names:
         part = table.part(name)
-        was, now = (one[part][table.known[part]] for one in (before, left))
+        was, now = (deviations[part][table.known[part]] for deviations in (before, left))
         quantities[name] = MeasuredQuantity(
             table.unit(name),
             float(spread[part][0]),
@@ -428,9 +431,9 @@ def _describe_fit(
             (left + table.readings)[part].tolist(),
         )
     index = {path: i for i, path in enumerate(table.paths)}
-    found = table.numbers.origin + table.numbers.directions @ x[:size]
+    parameters = table.numbers.origin + table.numbers.directions @ x[:size]
     try:
-        rig = table.rig.with_changes({path: float(found[index[path]]) for path in table.numbers.paths})
+        rig = table.rig.with_changes({path: float(parameters[index[path]]) for path in table.numbers.paths})
     except JounceError as error:
         raise FitError("the points found are no rig", found=str(error), hint="Narrow the boxes.") from None
     return HardpointFit(

@@ -15,7 +15,7 @@ _SAME = 1e-3  # share of a goal's range below which two designs are one
 
 
 def mixtures(goals: int, points: int) -> Iterator[Array]:
-    """Mixtures of goals, evenly spread over those that leave room for each: with the corners about as many as points.
+    """Mixtures of goals, evenly spread inside the corners; with the corners about as many as points.
 
     A goal without room would be kept at its least, which is the corner that is known already.
 
@@ -60,7 +60,7 @@ def across_gap(shares: Array, known: set[tuple[int, int]]) -> Array | None:
 
 
 def achievement(goals: Array, best: Array, span: Array, mixture: Array) -> float:
-    """How bad the relatively worst of the goals (less is better) is, seen along a mixture."""
+    """Value of the relatively worst of the goals (less is better) along a mixture."""
     return float(np.max((goals - best) / (span * mixture)))
 
 
@@ -70,11 +70,11 @@ def undominated_rows(goals: Array, span: Array) -> list[int]:
     >>> undominated_rows(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))
     [0, 1, 3]
     """
-    kept: list[int] = []
+    front: list[int] = []
     near = _SAME * span
-    for i, one in enumerate(goals):
-        worse = np.any(np.all(goals <= one + near, axis=1) & np.any(goals < one - near, axis=1))
-        again = any(np.all(np.abs(goals[k] - one) <= near) for k in kept)
+    for i, row in enumerate(goals):
+        worse = np.any(np.all(goals <= row + near, axis=1) & np.any(goals < row - near, axis=1))
+        again = any(np.all(np.abs(goals[k] - row) <= near) for k in front)
         if not worse and not again:
-            kept.append(i)
-    return kept
+            front.append(i)
+    return front

@@ -181,12 +181,12 @@ def compare_models(
     peaks = [peak for name, trial in named.items() for peak in compare_peaks(name, spatial, own, trial)]
     reach = _REACH * spatial.wheel.radius
     sweep = sweep_travel(spatial, np.linspace(-reach, reach, _POINTS))
-    found, angle = lump(spatial), own.strut.angle
+    lumping, angle = lump(spatial), own.strut.angle
     rate, damping = _at_wheel(own)
     return ModelComparison(
-        found,
+        lumping,
         own,
-        _rows(spatial, found, own, rate, damping),
+        _rows(spatial, lumping, own, rate, damping),
         sweep["wheel_travel"].to_numpy(),
         sweep["motion_ratio"].to_numpy(),
         sweep["wheel_rate"].to_numpy(),
@@ -197,15 +197,15 @@ def compare_models(
 
 
 def compare_peaks(name: str, spatial: Corner, lumped: QuarterCar, trial: Trial) -> list[PeakDifference]:
-    """Drive both models over a trial; give the largest absolute values of accelerations (m/s^2) and tyre force (N)."""
-    one, other = simulate(spatial, trial), simulate(lumped, trial)
+    """Simulate both models; return the largest absolute values of accelerations (m/s^2) and tyre force (N)."""
+    spatial_run, lumped_run = simulate(spatial, trial), simulate(lumped, trial)
     return [
         PeakDifference(
             name,
             channel,
-            str(one[channel].attrs["units"]),
-            float(np.abs(one[channel]).max()),
-            float(np.abs(other[channel]).max()),
+            str(spatial_run[channel].attrs["units"]),
+            float(np.abs(spatial_run[channel]).max()),
+            float(np.abs(lumped_run[channel]).max()),
         )
         for channel in CHANNELS
     ]
@@ -229,43 +229,43 @@ def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
 
 
 def _rows(
-    spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damping: float
+    spatial: Corner, lumping: Lumping, lumped: QuarterCar, rate: float, damping: float
 ) -> tuple[ModelDifference, ...]:
-    sprung, unsprung = found.static_masses
-    shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in found.shares.items())
-    turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in found.shares.items())
+    sprung, unsprung = lumping.static_masses
+    shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in lumping.shares.items())
+    turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in lumping.shares.items())
     ratio = float(np.cos(lumped.strut.angle))
-    across = f", {found.wheel_rate_across:+.4g} from third spring and Z-bar" if found.wheel_rate_across else ""
+    across = f", {lumping.wheel_rate_across:+.4g} from third spring and Z-bar" if lumping.wheel_rate_across else ""
     rows = [
         ModelDifference(
             "motion ratio at rest",
             "1",
-            found.motion_ratio,
+            lumping.motion_ratio,
             ratio,
             "3-D: shortening of the spring over rise of the wheel centre, from the joints. Lumped: cosine of the "
             "strut's angle, as if it stood at the wheel.",
         ),
-        *_damper_row(found, ratio),
+        *_damper_row(lumping, ratio),
         ModelDifference(
             "change of the motion ratio with travel",
             "1/m",
-            found.motion_ratio_gradient,
+            lumping.motion_ratio_gradient,
             0.0,
             "The arm turns and the strut with it; a lumped strut keeps its angle.",
         ),
         ModelDifference(
             "wheel rate",
             "N/m",
-            found.wheel_rate,
+            lumping.wheel_rate,
             rate,
-            f"3-D: {1e-3 * found.wheel_rate_spring:.4g} N/mm from the spring's rate, "
-            f"{1e-3 * found.wheel_rate_preload:+.3g} from its force of {found.spring_force:.4g} N where the motion "
-            f"ratio changes, {1e-3 * found.wheel_rate_weight:+.2g} from weights{across}.",
+            f"3-D: {1e-3 * lumping.wheel_rate_spring:.4g} N/mm from the spring's rate, "
+            f"{1e-3 * lumping.wheel_rate_preload:+.3g} from its force of {lumping.spring_force:.4g} N where the motion "
+            f"ratio changes, {1e-3 * lumping.wheel_rate_weight:+.2g} from weights{across}.",
         ),
         ModelDifference(
             "damping at the wheel",
             "N*s/m",
-            found.wheel_damping,
+            lumping.wheel_damping,
             damping,
             "Damper's coefficient times its motion ratio squared.",
         ),
@@ -274,7 +274,7 @@ def _rows(
             "kg",
             sprung,
             lumped.sprung.mass,
-            f"Body of {found.body_mass:.4g} kg and, by the law of the lever, the inner part of each arm.",
+            f"Body of {lumping.body_mass:.4g} kg and, by the law of the lever, the inner part of each arm.",
         ),
         ModelDifference(
             "unsprung mass", "kg", unsprung, lumped.unsprung.mass, f"Share that rises with the wheel: {shares}."
@@ -282,7 +282,7 @@ def _rows(
         ModelDifference(
             "inertance between body and wheel",
             "kg",
-            found.inertance,
+            lumping.inertance,
             0.0,
             f"What turning and sideways motion take beyond those shares: {turning}. Two masses cannot have it.",
         ),
@@ -290,33 +290,39 @@ def _rows(
     return (*rows, *_mode_rows(modes(without_friction(spatial)), modes(without_friction(lumped))))
 
 
-def _damper_row(found: Lumping, ratio: float) -> list[ModelDifference]:
+def _damper_row(lumping: Lumping, ratio: float) -> list[ModelDifference]:
     """Motion ratio of a damper that does not stand on the spring's line."""
-    if abs(found.damper_ratio - found.motion_ratio) < _SAME_LINE:
+    if abs(lumping.damper_ratio - lumping.motion_ratio) < _SAME_LINE:
         return []
     why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
-    return [ModelDifference("motion ratio of the damper at rest", "1", found.damper_ratio, ratio, why)]
+    return [ModelDifference("motion ratio of the damper at rest", "1", lumping.damper_ratio, ratio, why)]
 
 
 def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[ModelDifference]:
-    """Modes of both, the slow one first; those that do not oscillate are missing."""
+    """Modes of both models, the slow one first, without modes that do not oscillate."""
     why = "Follows from the rates, damping, masses and inertance above."
     rows = []
     for name in ("body bounce", "wheel hop"):
-        one, other = _named(name, spatial), _named(name, lumped)
-        if one is None and other is None:
+        spatial_mode, lumped_mode = _find_mode(name, spatial), _find_mode(name, lumped)
+        if spatial_mode is None and lumped_mode is None:
             continue
-        frequencies = None if one is None else one.frequency_hz, None if other is None else other.frequency_hz
-        ratios = None if one is None else one.damping_ratio, None if other is None else other.damping_ratio
+        frequencies = (
+            None if spatial_mode is None else spatial_mode.frequency_hz,
+            None if lumped_mode is None else lumped_mode.frequency_hz,
+        )
+        ratios = (
+            None if spatial_mode is None else spatial_mode.damping_ratio,
+            None if lumped_mode is None else lumped_mode.damping_ratio,
+        )
         rows.append(ModelDifference(f"{name}, natural frequency", "Hz", *frequencies, why))
         rows.append(ModelDifference(f"{name}, damping ratio", "1", *ratios, why))
     return rows
 
 
-def _named(name: str, found: tuple[Mode, ...]) -> Mode | None:
-    """The mode in which the body (bounce) or the wheel (hop) moves most."""
+def _find_mode(name: str, modes: tuple[Mode, ...]) -> Mode | None:
+    """Find the mode in which the body (bounce) or the wheel (hop) moves most."""
     moving = {"body bounce": "sprung.z", "wheel hop": "unsprung.z"}[name]
-    return next((mode for mode in found if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)
+    return next((mode for mode in modes if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)
 
 
 @dataclass(frozen=True)
@@ -402,9 +408,9 @@ def compare_with_lumped(
         str(speed): Trial(road=course, speed=positive_quantity(str(speed), "m/s", "speeds"), duration=length)
         for speed in speeds or _SPEEDS
     }
-    spatial, other = as_rig(rig), None if lumped is None else as_rig(lumped)
+    spatial, equivalent = as_rig(rig), None if lumped is None else as_rig(lumped)
     names = _name(rig), "its equivalent quarter car" if lumped is None else _name(lumped)
-    return LumpedComparison(compare_models(spatial, other, trials), spatial, " and ".join(names))
+    return LumpedComparison(compare_models(spatial, equivalent, trials), spatial, " and ".join(names))
 
 
 _SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")

@@ -71,8 +71,8 @@ class Scale:
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper, 1.0) / safe
         straight = self.lower + inside * (self.upper - self.lower)
-        found = np.where(self.is_log, safe * ratio**inside, straight)
-        return np.asarray(np.clip(found, self.lower, self.upper))
+        values = np.where(self.is_log, safe * ratio**inside, straight)
+        return np.asarray(np.clip(values, self.lower, self.upper))
 
     def slopes(self, u: Array) -> Array:
         """Slope of each value (SI) along its scaled one."""
@@ -80,7 +80,7 @@ class Scale:
         ratio = np.where(self.is_log, self.upper, 1.0) / safe
         return np.asarray(np.where(self.is_log, self.values(u) * np.log(ratio), self.upper - self.lower))
 
-    def scaled(self, values: Array) -> Array:
+    def normalise(self, values: Array) -> Array:
         """Give scaled values for those in SI."""
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper / safe, math.e)
@@ -99,7 +99,7 @@ class _SlsqpProblem:
 
     def begin(self, values: Array) -> Array:
         tops = [abs(self.problem.whole(text, values)[0] / self.problem.base[text]) for text in self.worst]
-        return np.concatenate([self.scale.scaled(values), tops])
+        return np.concatenate([self.scale.normalise(values), tops])
 
     def objective(self, z: Array) -> tuple[float, Array]:
         u, tops = z[: self.count], z[self.count :]
@@ -123,23 +123,23 @@ class _SlsqpProblem:
         u, tops = z[: self.count], z[self.count :]
         values, chain = self.scale.values(u), self.scale.slopes(u)
         rows = [(margin, slope * chain, None) for _, _, _, margin, slope in self.problem.margins(values)]
-        found = [margin for margin, _, _ in rows]
+        margins = [margin for margin, _, _ in rows]
         table = [np.concatenate([slope, np.zeros(len(tops))]) for _, slope, _ in rows]
         for i, text in enumerate(self.worst):
             numbers, slopes = self.problem.numbers(values)[text]
             base = self.problem.base[text]
             for k in range(len(numbers)):
-                found.append(float(tops[i] - numbers[k] / base))
+                margins.append(float(tops[i] - numbers[k] / base))
                 row = np.zeros(len(z))
                 row[: self.count], row[self.count + i] = -slopes[:, k] / base * chain, 1.0
                 table.append(row)
-        return np.array(found), np.array(table).reshape(len(found), len(z))
+        return np.array(margins), np.array(table).reshape(len(margins), len(z))
 
 
 def search(
     problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Array | None = None, precision: float = _FINE
 ) -> SearchResult:
-    """Search from the rig's own values (or ``begin``, SI) and from further points; the best that keeps the limits.
+    """Search from the rig's own values (or ``begin``, SI) and from further points; return the best valid result.
 
     It ends when the objective changes by less than ``precision`` (1) between steps.
     """
@@ -152,41 +152,41 @@ def search(
 
         spread = qmc.LatinHypercube(len(first), seed=seed).random(starts - 1)
         points += [Scale(problem).values(point) for point in spread]
-    found = [_one(problem, point, precision) for point in points]
-    if all(one.violation > _ACTIVE for one in found):
-        found.append(_one(problem, least_violation(problem), precision))
-    best = min(found, key=lambda one: (max(one.violation, _ACTIVE), one.objective))
-    return _search_around(problem, best) if problem.has_kinks else best
+    results = [_run_slsqp(problem, point, precision) for point in points]
+    if all(result.violation > _ACTIVE for result in results):
+        results.append(_run_slsqp(problem, least_violation(problem), precision))
+    best = min(results, key=lambda result: (max(result.violation, _ACTIVE), result.objective))
+    return _refine_at_kink(problem, best) if problem.has_kinks else best
 
 
 _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
 
 
-def _search_around(problem: DesignProblem, found: SearchResult) -> SearchResult:
-    """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
+def _refine_at_kink(problem: DesignProblem, best: SearchResult) -> SearchResult:
+    """Refine the end of a gradient search without gradients (COBYLA): it may have stopped at a kink."""
     from scipy.optimize import minimize
 
     scale = Scale(problem)
     count = len(problem.free)
 
-    def kept(u: Array) -> Array:
+    def margins(u: Array) -> Array:
         rows = [margin for _, _, _, margin, _ in problem.margins(scale.values(u))]
         return np.asarray([*rows, *u, *(1.0 - u)])
 
     result = minimize(
-        lambda u: problem.objective(scale.values(u))[0], scale.scaled(found.values), method="COBYLA",
-        constraints=[{"type": "ineq", "fun": kept}], tol=_NEARER,
+        lambda u: problem.objective(scale.values(u))[0], scale.normalise(best.values), method="COBYLA",
+        constraints=[{"type": "ineq", "fun": margins}], tol=_NEARER,
         options={"rhobeg": _NEAR, "maxiter": _MOST_NEAR * count},
     )  # fmt: skip
     values = scale.values(np.clip(np.asarray(result.x), 0.0, 1.0))
     objective, violation = problem.objective(values)[0], violation_of(problem, values)
-    iterations = found.iterations + int(result.nfev)
-    if objective < found.objective and violation <= max(found.violation, _KEPT):
+    iterations = best.iterations + int(result.nfev)
+    if objective < best.objective and violation <= max(best.violation, _KEPT):
         return SearchResult(values, objective, violation, iterations, bool(result.success))
-    return SearchResult(found.values, found.objective, found.violation, iterations, bool(result.success))
+    return SearchResult(best.values, best.objective, best.violation, iterations, bool(result.success))
 
 
-def _one(problem: DesignProblem, begin: Array, precision: float) -> SearchResult:
+def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> SearchResult:
     from scipy.optimize import minimize
 
     task = _SlsqpProblem(problem)
@@ -215,15 +215,15 @@ def violation_of(problem: DesignProblem, values: Array) -> float:
 
 
 def least_violation(problem: DesignProblem) -> Array:
-    """Values (SI) within the bounds where the limits are broken least."""
+    """Values (SI) within the bounds with the least violation of the limits."""
     from scipy.optimize import minimize
 
     scale = Scale(problem)
     count = len(problem.free)
 
     def margins(z: Array) -> Array:
-        found = [margin for _, _, _, margin, _ in problem.margins(scale.values(z[:count]))]
-        return np.asarray(np.array(found) + z[count])
+        margin_values = [margin for _, _, _, margin, _ in problem.margins(scale.values(z[:count]))]
+        return np.asarray(np.array(margin_values) + z[count])
 
     def slopes(z: Array) -> Array:
         chain = scale.slopes(z[:count])
@@ -232,7 +232,7 @@ def least_violation(problem: DesignProblem) -> Array:
 
     best: Array = problem.start
     least = np.inf
-    for u in (scale.scaled(problem.start), np.full(count, 0.5), np.full(count, 0.1), np.full(count, 0.9)):
+    for u in (scale.normalise(problem.start), np.full(count, 0.5), np.full(count, 0.1), np.full(count, 0.9)):
         first = max(violation_of(problem, scale.values(u)), 0.0)
         result = minimize(
             lambda z: (z[count], np.eye(count + 1)[count]), np.append(u, first), jac=True, method="SLSQP",
@@ -504,9 +504,9 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
     problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
     with told(lambda: f"searching the best design: {problem.evaluations} judged"):
-        found = search(problem, starts=starts)
-        check_kept(problem, found)
-        return outcome(problem, found)
+        result = search(problem, starts=starts)
+        check_kept(problem, result)
+        return outcome(problem, result)
 
 
 def task_of(
@@ -530,9 +530,9 @@ def task_of(
     )
 
 
-def check_kept(problem: DesignProblem, found: SearchResult) -> None:
+def check_kept(problem: DesignProblem, result: SearchResult) -> None:
     """Refuse a search that ended where limits are broken: name the one broken most where all are broken least."""
-    if found.violation <= _KEPT:
+    if result.violation <= _KEPT:
         return
     values = least_violation(problem)
     broken = min(problem.margins(values), key=lambda margin: margin[3])
@@ -551,22 +551,22 @@ def check_kept(problem: DesignProblem, found: SearchResult) -> None:
     )
 
 
-def outcome(problem: DesignProblem, found: SearchResult) -> Optimisation:
-    """Describe a design, how it compares with the start, and what holds it."""
-    values = found.values
+def outcome(problem: DesignProblem, result: SearchResult) -> Optimisation:
+    """Describe a design, compare it with the start, and list the active limits."""
+    values = result.values
     conditions = is_optimal(problem, values)
     value, slopes = problem.objective(values)
     numbers = tuple(_number(problem, i, values, value, slopes) for i in range(len(values)))
     constraints = tuple(_constraints(problem, values, conditions.gains, value))
     best = problem.with_values(values)
-    findings = [*problem.notes, *_findings(problem, numbers, converged=conditions.holds or found.settled)]
+    findings = [*problem.notes, *_findings(problem, numbers, converged=conditions.holds or result.settled)]
     if isinstance(problem.evaluator, StationaryEvaluator):
         findings += _linear(problem, best)
     before, after = ({text: problem.whole(text, at)[0] for text in problem.metrics} for at in (problem.start, values))
-    units = {text: one.unit for text, one in problem.metrics.items()}
+    units = {text: metric.unit for text, metric in problem.metrics.items()}
     return Optimisation(
-        best, numbers, problem.weights, value, before, after, units, constraints, conditions.holds or found.settled,
-        found.iterations, problem.evaluations, "exact" if problem.evaluator.is_exact else "differences",
+        best, numbers, problem.weights, value, before, after, units, constraints, conditions.holds or result.settled,
+        result.iterations, problem.evaluations, "exact" if problem.evaluator.is_exact else "differences",
         driven_over(problem), tuple(findings),
     )  # fmt: skip
 
@@ -591,12 +591,12 @@ def _number(problem: DesignProblem, i: int, values: Array, objective: float, slo
         at = "lower"
     elif free.upper - value <= room:
         at = "upper"
-    flat = _flat(problem, i, values, objective) if problem.surface is not None else None
+    flat = _flat_range(problem, i, values, objective) if problem.surface is not None else None
     unit, sensitivity = unit_of(problem.rig, free.path), float(value * slopes[i] / objective)
     return DesignNumber(free.path, unit, free.initial, value, free.lower, free.upper, at, sensitivity, flat)
 
 
-def _flat(problem: DesignProblem, i: int, values: Array, objective: float) -> tuple[float, float]:
+def _flat_range(problem: DesignProblem, i: int, values: Array, objective: float) -> tuple[float, float]:
     """Range of a number, within its bounds, in which all limits hold and the objective rises by at most 1 %."""
     broken = -min([0.0, *(margin[3] for margin in problem.margins(values))])
 
@@ -612,7 +612,7 @@ def _flat(problem: DesignProblem, i: int, values: Array, objective: float) -> tu
 
 
 def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> float:
-    """How far from ``start`` to ``bound`` everything is as good: in growing steps, then by halving the last one."""
+    """Distance from ``start`` towards ``bound`` without a loss: in growing steps, then by halving the last one."""
     near = far = start
     for share in _STEPS if bound != start else ():
         far = start + share * (bound - start)
@@ -630,37 +630,37 @@ def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> f
 def _constraints(
     problem: DesignProblem, values: Array, gains: dict[tuple[str, str, str], float], objective: float
 ) -> list[DesignConstraint]:
-    found = []
+    constraints = []
     for limit in problem.limits:
         before, after = (problem.numbers(at)[limit.metric.text][0] for at in (problem.start, values))
         for i, channel in enumerate(limit.metric.channels):
             sides = [gains.get((limit.metric.text, channel, side)) for side in ("lower", "upper")]
             active = [gain for gain in sides if gain is not None]
-            found.append(
+            constraints.append(
                 DesignConstraint(
                     limit.metric.text, channel, limit.metric.unit, float(before[i]), float(after[i]),
                     limit.lower, limit.upper, bool(active), max(active, default=0.0) / objective,
                 )
             )  # fmt: skip
-    return found
+    return constraints
 
 
 def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, converged: bool) -> list[Finding]:
-    found = []
+    findings = []
     if not converged:
-        found.append(finding("design.no_optimum", "optimise"))
+        findings.append(finding("design.no_optimum", "optimise"))
     for number in numbers:
         if number.at:
-            found.append(finding("design.at_bound", number.path, number.value, bound=number.at))
+            findings.append(finding("design.at_bound", number.path, number.value, bound=number.at))
         if number.flat == (number.lower, number.upper):
-            found.append(finding("design.little_influence", number.path, number.value))
+            findings.append(finding("design.little_influence", number.path, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
     if value > 1.0 - 1e-6:
         given = problem.numbers(problem.start)
         is_broken = any(_is_broken(limit, given[limit.metric.text][0]) for limit in problem.limits)
         code = "design.start_breaks_limit" if is_broken else "design.start_is_best"
-        found.append(finding(code, "optimise", value, cost=value - 1.0))
-    return found
+        findings.append(finding(code, "optimise", value, cost=value - 1.0))
+    return findings
 
 
 def _is_broken(limit: Any, values: Array) -> bool:
@@ -670,7 +670,7 @@ def _is_broken(limit: Any, values: Array) -> bool:
 
 
 def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
-    """What the linear model does not know of the best design."""
+    """Report effects on the best design that the linear model neglects."""
     from jounce.ride.covariance import RandomVibration, Signal
     from jounce.ride.family import Families, LinearFamily
 

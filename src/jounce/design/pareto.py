@@ -112,7 +112,7 @@ def best_dampers(
     """
     rig = as_rig(rig)
     wheels, values = wheels_of(rig), rig.parameters()
-    found = []
+    best = []
     goals: tuple[tuple[Literal["comfort", "road holding"], str, Any], ...] = (
         ("comfort", comfort, comfort_damping),
         ("road holding", holding, road_holding_damping),
@@ -131,8 +131,8 @@ def best_dampers(
             for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
         }
         unit = problem.metrics[metric].unit
-        found.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
-    return found[0], found[1]
+        best.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
+    return best[0], best[1]
 
 
 def _metric_with(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
@@ -327,15 +327,15 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
 def _front(
     soft: DesignProblem, firm: DesignProblem, holding: str, points: int, table: list[Array]
 ) -> tuple[Array, bool]:
-    """Free numbers (points, numbers) along the front; they are added to the ``table`` as they are found."""
+    """Free numbers (points, numbers) along the front; each is added to the ``table`` at once."""
     ends = [search(problem) for problem in (soft, firm)]
     for problem, end in zip((soft, firm), ends, strict=True):
         check_kept(problem, end)
     first, last = (soft.whole(holding, end.values)[0] for end in ends)
     if first <= last * (1.0 + _SAME):
         return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
-    # Of two goals, one as a limit places the designs where they are wanted, and `search` is that of one goal. The
-    # mixtures of goals in `front_search` serve any number of them, but land where the front happens to bend.
+    # With two goals, a limit on one of them places the designs where they are wanted, and a search for one goal does.
+    # The mixtures of `front_search` serve any number of goals, but their designs cluster where the front bends.
     along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
     table.append(ends[0].values)
     holds = ends[0].settled or is_optimal(soft, ends[0].values).holds
@@ -343,9 +343,9 @@ def _front(
         bound = last + (first - last) * float(share)
         limit = Limit(soft.metrics[holding], None, bound, is_whole=True)
         problem = replace(soft, limits=(*soft.limits, limit))
-        found = search(problem, begin=table[-1], precision=_PRECISION)
-        holds &= found.settled or is_optimal(problem, found.values).holds
-        table.append(found.values)
+        result = search(problem, begin=table[-1], precision=_PRECISION)
+        holds &= result.settled or is_optimal(problem, result.values).holds
+        table.append(result.values)
     table.append(ends[1].values)
     return np.array(table), bool(holds and (ends[1].settled or is_optimal(firm, ends[1].values).holds))
 
@@ -353,17 +353,17 @@ def _front(
 def _marks(
     soft: DesignProblem, metrics: dict[str, str], given: dict[str, Any]
 ) -> tuple[tuple[ParetoMark, ...], list[Finding]]:
-    """The rig as it is, and best dampers where the closed forms know the rig."""
-    found = [_mark("as it is", "present", soft, {}, metrics)]
+    """The rig as it is, and the best dampers where closed forms exist for the rig."""
+    marks = [_mark("as it is", "present", soft, {}, metrics)]
     try:
         best = best_dampers(soft.rig, **given, comfort=metrics["comfort"], holding=metrics["holding"])
     except (DescriptionError, FitError) as error:
-        return tuple(found), [finding("design.no_best_dampers", "closed forms", error=error)]
-    for one in best:
-        name = f"best damper for {one.goal}"
-        found.append(_mark(name, "closed form", soft, one.closed_form, metrics))
-        found.append(_mark(name, "searched", soft, one.searched, metrics))
-    return tuple(found), []
+        return tuple(marks), [finding("design.no_best_dampers", "closed forms", error=error)]
+    for damper in best:
+        name = f"best damper for {damper.goal}"
+        marks.append(_mark(name, "closed form", soft, damper.closed_form, metrics))
+        marks.append(_mark(name, "searched", soft, damper.searched, metrics))
+    return tuple(marks), []
 
 
 def _mark(
@@ -387,9 +387,9 @@ def _present(soft: DesignProblem) -> dict[str, float]:
 
 
 def _findings(whole: dict[str, Array], *, converged: bool) -> list[Finding]:
-    found = []
+    findings = []
     if not converged:
-        found.append(finding("design.points_unsettled", "pareto"))
+        findings.append(finding("design.points_unsettled", "pareto"))
     if len(whole["comfort"]) == 1:
-        found.append(finding("design.best_in_both", "pareto"))
-    return found
+        findings.append(finding("design.best_in_both", "pareto"))
+    return findings

@@ -126,14 +126,14 @@ class StationaryEvaluator:
     def _layout(self) -> tuple[dict[str, list[int]], tuple[Signal, ...]]:
         """Places of each metric's signals, and the signals."""
         names = list(self.families.first.compiled.output_names)
-        found: dict[str, list[int]] = {}
+        places: dict[str, list[int]] = {}
         signals: list[Signal] = []
         for metric in self.metrics:
             if not metric.is_of_mode:
                 gain = weighting_gain(metric.weighting) if metric.weighting else None
-                found[metric.text] = [len(signals) + i for i in range(len(metric.channels))]
+                places[metric.text] = [len(signals) + i for i in range(len(metric.channels))]
                 signals += [Signal(names.index(channel), gain) for channel in metric.channels]
-        return found, tuple(signals)
+        return places, tuple(signals)
 
     @cached_property
     def analysis(self) -> RandomVibration:
@@ -141,14 +141,14 @@ class StationaryEvaluator:
         return RandomVibration(self.families, self.surface, self._layout[1])
 
     def absent(self) -> dict[str, str]:
-        """Metrics that the road's white noise leaves without a variance, with the reason."""
-        found = self.analysis.at(slopes=True)
+        """Metrics whose variance under a white-noise road is infinite, with the reason."""
+        moments = self.analysis.at(slopes=True)
         reasons = {}
         for metric in self.metrics:
             for i in self._layout[0].get(metric.text, []) if metric.kind != "static" else []:
-                if i in found.absent:
-                    reasons[metric.text] = found.absent[i]
-                elif np.any(np.isnan(found.variance_slopes[:, :, i])):
+                if i in moments.absent:
+                    reasons[metric.text] = moments.absent[i]
+                elif np.any(np.isnan(moments.variance_slopes[:, :, i])):
                     reasons[metric.text] = "would depend on the height of the road when a free parameter changes"
         return reasons
 
@@ -159,18 +159,18 @@ class StationaryEvaluator:
     def each(self, values: Array) -> dict[str, Numbers]:
         """The same for values (members, numbers) of all rigs: (members, channels), (members, numbers, channels)."""
         moments = self.analysis.at(values)
-        found = {}
+        metrics = {}
         for metric in self.metrics:
             if metric.is_of_mode:
                 model, along = moments.linear.model, moments.linear.along
-                rows = [mode_number(metric, *one) for one in zip(model.A, along.A, strict=True)]
-                found[metric.text] = np.stack([row[0] for row in rows]), np.stack([row[1] for row in rows])
+                rows = [mode_number(metric, *matrices) for matrices in zip(model.A, along.A, strict=True)]
+                metrics[metric.text] = np.stack([row[0] for row in rows]), np.stack([row[1] for row in rows])
                 continue
             i = self._layout[0][metric.text]
             sigma = np.sqrt(np.maximum(moments.variances[:, i], 1e-300))
             slopes = moments.variance_slopes[:, :, i] / (2.0 * sigma[:, None])
-            found[metric.text] = _of_kind(metric, sigma, slopes, moments.static[:, i], moments.static_slopes[:, :, i])
-        return found
+            metrics[metric.text] = _of_kind(metric, sigma, slopes, moments.static[:, i], moments.static_slopes[:, :, i])
+        return metrics
 
 
 def _of_kind(metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array) -> Numbers:
@@ -213,10 +213,10 @@ def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
 def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
     """Eigenvalues of each mode by rising frequency: conjugates, or neighbours of those that do not oscillate."""
     real = sorted((i for i in range(len(values)) if values[i].imag == 0.0), key=lambda i: abs(values[i]))
-    found = [(real[k], real[k + 1]) for k in range(0, len(real) - 1, 2)]
+    pairs = [(real[k], real[k + 1]) for k in range(0, len(real) - 1, 2)]
     turning = [i for i in range(len(values)) if values[i].imag > 0.0]
-    found += [(i, int(np.argmin(np.abs(values - values[i].conj())))) for i in turning]
-    return sorted(found, key=lambda pair: abs(values[pair[0]] * values[pair[1]]))
+    pairs += [(i, int(np.argmin(np.abs(values - values[i].conj())))) for i in turning]
+    return sorted(pairs, key=lambda pair: abs(values[pair[0]] * values[pair[1]]))
 
 
 @dataclass(frozen=True)
@@ -260,16 +260,16 @@ class TrialEvaluator:
             solution = solve(compiled, compiled.parameter_values(numbers), driven, times)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the run did not reach its end", where="trial", found=solution.status.help)
-        found = {}
+        metrics = {}
         for metric in self.metrics:
             if metric.is_of_mode:
                 model, slopes = self.family.at(values)
-                found[metric.text] = mode_number(metric, model.A, slopes.A)
+                metrics[metric.text] = mode_number(metric, model.A, slopes.A)
                 continue
             i = [plain.output_names.index(name) for name in metric.channels]
             signals, along = solution.outputs[i], solution.output_slopes[i]
-            found[metric.text] = self._number(metric, signals, along)
-        return found
+            metrics[metric.text] = self._number(metric, signals, along)
+        return metrics
 
     def _number(self, metric: Metric, signals: Array, along: Array) -> Numbers:
         """Signals (channels, time) and their slopes (channels, numbers, time) as one metric."""
@@ -395,8 +395,8 @@ class DesignProblem:
         return self.rig.with_changes(dict(zip([free.path for free in self.free], map(float, values), strict=True)))
 
     def margins(self, values: Array) -> list[tuple[Limit, str, str, float, Array]]:
-        """For each side of each limit and channel how far it is kept, relative to the limit, with slopes."""
-        found = []
+        """Margin of each side of each limit and channel, relative to the limit, with slopes."""
+        margins = []
         for limit in self.limits:
             numbers, slopes = self.numbers(values)[limit.metric.text]
             channels: tuple[str, ...] = limit.metric.channels
@@ -408,8 +408,8 @@ class DesignProblem:
                     if bound is not None:
                         size = abs(bound) or abs(self.base_of(limit.metric)) or 1.0
                         margin = sign * (float(numbers[i]) - bound) / size
-                        found.append((limit, channel, side, margin, sign * slopes[:, i] / size))
-        return found
+                        margins.append((limit, channel, side, margin, sign * slopes[:, i] / size))
+        return margins
 
     def base_of(self, metric: Metric) -> float:
         """Value of a metric at the start, SI."""
@@ -459,13 +459,13 @@ def design_problem(
 
 def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[FreeParameter, ...]:
     """Read the free numbers, which the model depends on, with bounds that the description allows."""
-    numbers = free_parameters(rig, {path: _relative(bounds) for path, bounds in free.items()}, where="free")
+    numbers = free_parameters(rig, {path: _strip_sign(bounds) for path, bounds in free.items()}, where="free")
     _check_used(LinearFamily(rig, tuple(number.path for number in numbers)))
     _check_bounds(rig, numbers)
     return numbers
 
 
-def _relative(bounds: Bounds) -> Bounds:
+def _strip_sign(bounds: Bounds) -> Bounds:
     return bounds.replace("±", "").replace("+-", "").strip() if isinstance(bounds, str) else bounds
 
 

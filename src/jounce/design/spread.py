@@ -175,9 +175,9 @@ def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: Ax
     for _ in range(spread.cars):
         deviations = random.standard_normal(len(workshop.sources)) * workshop.sizes
         try:
-            car = workshop.built(deviations)
+            car = workshop.build(deviations)
             values = workshop.values(car)
-            lengths, better = workshop.adjusted(car, values)
+            lengths, better = workshop.adjust(car, values)
         except JounceError:
             failed += 1
             continue
@@ -209,7 +209,7 @@ class Workshop:
         self._adjusters()
 
     def _sources(self) -> None:
-        """What deviates: coordinates of points by their names, lengths of links by their inner points."""
+        """List the sources of deviations: coordinates of points by name, lengths of links by their inner points."""
         given = self.rig.hardpoints.given()
         held = [
             *(rods(self.rig) or ("arm_inner", "arm_outer")),
@@ -258,11 +258,11 @@ class Workshop:
         return self._evaluator.together(self._numbering.values({"": rig}), slopes=False)[0]
 
     def _aims(self, rig: Corner, values: Array) -> Array:
-        """What adjustments look at: all values in tolerances, and how the wheel stands."""
+        """Aims of the adjustments: all values in tolerances, and static camber and toe."""
         return np.concatenate([values / self.tolerance, np.array([rig.wheel.camber, rig.wheel.toe]) / _ALIGNED])
 
-    def built(self, deviations: Array) -> Corner:
-        """The corner put together from parts that deviate (m)."""
+    def build(self, deviations: Array) -> Corner:
+        """Build the corner from parts that deviate (m)."""
         away: dict[str, Array] = {}
         for (name, i), value in zip(self.sources, deviations, strict=True):
             away.setdefault(name, np.zeros(3))[i] = value
@@ -283,33 +283,33 @@ class Workshop:
         shims = {name: away[name] for name in self._joints}
         return refit(base, Changes(inner, lengths, shims, longer))
 
-    def adjusted(self, car: Corner, values: Array) -> tuple[Array, Array]:
-        """Settings (m) that bring a car's curves as near to the drawing as they can, and its values then."""
+    def adjust(self, car: Corner, values: Array) -> tuple[Array, Array]:
+        """Find settings (m) that bring a car's curves as near to the drawing as possible, and the values then."""
         if not self._settings:
             return np.zeros(0), values
         from scipy.optimize import lsq_linear
 
-        aims, found, settings = self._aims(car, values), values, np.zeros(len(self._settings))
-        for _ in range(2):  # what the first step leaves, because effects are those of the drawing, the second removes
+        aims, values_then, settings = self._aims(car, values), values, np.zeros(len(self._settings))
+        for _ in range(2):  # the effects are those of the drawing: the second step removes what the first one leaves
             left = aims - self._drawn - self._effects @ settings
             bounds = (self._low - 1e-12, self._high + 1e-12)
             settings = np.clip(lsq_linear(self._effects, -left, bounds=bounds).x, self._low, self._high)
             asked = dict(zip([item.name for item in self._settings], settings.tolist(), strict=True))
             better = adjusted(car, asked)
-            found = self.values(better)
-            aims = self._aims(better, found)
-        return settings, found
+            values_then = self.values(better)
+            aims = self._aims(better, values_then)
+        return settings, values_then
 
     def causes(self, drawn: Array) -> dict[str, Array]:
         """Variance of every value by the part that causes it, to first order; SI squared."""
-        found: dict[str, Array] = {}
+        variances: dict[str, Array] = {}
         for k, (name, _) in enumerate(self.sources):
             if self.sizes[k] > 0.0:
-                one = np.zeros(len(self.sources))
-                one[k] = self.sizes[k]
-                change = self.values(self.built(one)) - drawn
-                found[name] = found.get(name, np.zeros_like(drawn)) + change**2
-        return found
+                deviations = np.zeros(len(self.sources))
+                deviations[k] = self.sizes[k]
+                change = self.values(self.build(deviations)) - drawn
+                variances[name] = variances.get(name, np.zeros_like(drawn)) + change**2
+        return variances
 
 
 def _describe_spread(
@@ -341,7 +341,7 @@ def _describe_spread(
                 wanted[1],
                 float(met["made"][-1].mean()),
                 float(met["settled"][-1].mean()),
-                dict(sorted(shares.items(), key=lambda one: -one[1])),
+                dict(sorted(shares.items(), key=lambda share: -share[1])),
                 item.tolerance,
             )
         )

@@ -136,10 +136,10 @@ class SpringDesign(Shown):
     def __str__(self) -> str:
         rows = [["", "", "kg", "Hz", "damping ratio", "N/m", "N*s/m"]]
         for wheel in self.wheels:
-            for name, found in (("as it is", wheel.present), ("wanted", wheel.wanted)):
-                numbers = (found.frequency_hz, found.damping_ratio, found.spring_rate, found.damping_coefficient)
+            for state, design in (("as it is", wheel.present), ("wanted", wheel.wanted)):
+                numbers = (design.frequency_hz, design.damping_ratio, design.spring_rate, design.damping_coefficient)
                 rows.append(
-                    [wheel.place or "wheel", name, *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers))]
+                    [wheel.place or "wheel", state, *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers))]
                 )
         return "\n".join([*aligned(rows), *map(str, self.findings)])
 
@@ -226,7 +226,7 @@ def design_springs(
         wheels, _each(frequency, wheels, "frequency"), _each(damping_ratio, wheels, "damping_ratio"), strict=True
     )
     gravity = values["gravity"]
-    found = []
+    designs = []
     for wheel, hertz, share in wanted:
         if with_tyre and wheel.tyre_stiffness is None:
             raise DescriptionError("the model has no tyre of constant stiffness", where="with_tyre")
@@ -240,9 +240,9 @@ def design_springs(
             tyre_stiffness=tyre, motion_ratio=wheel.motion_ratio, gravity=gravity,
         )  # fmt: skip
         changes = {wheel.spring: design.spring_rate, wheel.damper: design.damping_coefficient}
-        found.append(WheelDesign(wheel.place, wheel.sprung_mass, present, design, changes))
-    changed = rig.with_changes({path: value for wheel in found for path, value in wheel.changes.items()})
-    return SpringDesign(changed, tuple(found), with_tyre, tuple(_advice(rig, found)))
+        designs.append(WheelDesign(wheel.place, wheel.sprung_mass, present, design, changes))
+    changed = rig.with_changes({path: value for wheel in designs for path, value in wheel.changes.items()})
+    return SpringDesign(changed, tuple(designs), with_tyre, tuple(_advice(rig, designs)))
 
 
 def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[Any, ...]:
@@ -257,13 +257,13 @@ def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[An
 
 def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
     sags = [(wheel.place or "spring", wheel.wanted.static_deflection) for wheel in wheels]
-    found = [finding("design.spring_sags", place, sag, deflection=sag) for place, sag in sags if sag > 0.25]
+    findings = [finding("design.spring_sags", place, sag, deflection=sag) for place, sag in sags if sag > 0.25]
     if len(wheels) == 2:
         front, rear = (wheel.wanted.frequency_hz for wheel in wheels)
         if rear < front:
-            found.append(finding("design.rear_softer", "rear", rear / front))
+            findings.append(finding("design.rear_softer", "rear", rear / front))
         vehicle: Any = rig
         levers = [w.wanted.wheel_rate * getattr(vehicle, w.place).distance for w in wheels]
         ratio = levers[0] / levers[1]
-        found.append(finding("design.bounce_and_pitch", "front, rear", ratio, ratio=ratio))
-    return found
+        findings.append(finding("design.bounce_and_pitch", "front, rear", ratio, ratio=ratio))
+    return findings

@@ -54,19 +54,21 @@ class StudiedDesign(Plain):
 
     def files(self) -> dict[str, bytes | str]:
         """Give the rigs with their comments, the results, and tables, by the names of their files."""
-        found = self.design
+        design = self.design
         rigs = {
             f"{name or 'rig'}.toml": updated_text(self.sources[name].read_text(encoding="utf-8"), rig)
-            for name, rig in found.rigs.items()
+            for name, rig in design.rigs.items()
         }
-        spreads = {f"spread-{name}.csv" if name else "spread.csv": one.table() for name, one in found.spread.items()}
+        spreads = {
+            f"spread-{name}.csv" if name else "spread.csv": spread.table() for name, spread in design.spread.items()
+        }
         return {
             **rigs,
-            "results.json": f"{to_json(found.results())}\n",
-            "targets.csv": found.curve_table(),
-            "sensitivity.csv": found.sensitivity_table(),
-            "tradeoffs.csv": found.tradeoff_table(),
-            "identified.csv": found.identified_table(),
+            "results.json": f"{to_json(design.results())}\n",
+            "targets.csv": design.curve_table(),
+            "sensitivity.csv": design.sensitivity_table(),
+            "tradeoffs.csv": design.tradeoff_table(),
+            "identified.csv": design.identified_table(),
             **spreads,
         }
 
@@ -120,5 +122,5 @@ def design_from_study(
     """
     if starts is not None and starts < 1:
         raise DescriptionError("out of range", where="starts", found=starts, allowed="1 or more")
-    found, sources = run_study(study, lambda asked, task: design(task, starts or asked.starts, asked.seed))
-    return StudiedDesign(found, sources, Path(study).stem)
+    result, sources = run_study(study, lambda asked, task: design(task, starts or asked.starts, asked.seed))
+    return StudiedDesign(result, sources, Path(study).stem)

@@ -46,6 +46,6 @@ def test_a_search_rests_where_no_step_can_gain_whatever_its_method_claims(monkey
         return found
 
     monkeypatch.setattr("scipy.optimize.minimize", unsure)
-    place, _, why = HardpointSearch.constrained(search, np.zeros(2))
+    place, _, why = HardpointSearch.satisfy_constraints(search, np.zeros(2))
     assert place == pytest.approx([1.0, 0.35 - away])  # at a wall, and at the limit
     assert why == ended
