@@ -17,14 +17,8 @@ from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.units import NonNegativeLength, PositiveLength, Unit
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import (
-    ObstacleNotFoundError,
-    Passages,
-    averaged_trial,
-    find_passages,
-    one_loop,
-    trial_on_running_belt,
-)
+from jounce.identify.passages import ObstacleNotFoundError, Passages, find_passages
+from jounce.identify.trials_on_belt import averaged_trial, select_loop, trial_on_running_belt
 from jounce.recordings.pulses import PulseSpeed, pulse_speed
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Road
@@ -167,7 +161,7 @@ def placed(trial: FitTrial, noted: float | None, passage: Passage, pulses: Pulse
         trial.measured, trial.rig, road, trial.trial.speed, sensors=trial.sensors, channels=channels, name=trial.name
     )
     if passage != "all":
-        found = one_loop(found, trial.measured, passage, channels=channels, name=trial.name)
+        found = select_loop(found, trial.measured, passage, channels=channels, name=trial.name)
     slip = None if pulses is None else 1.0 - found.speed / pulses.mean
     facts = TrialOnBelt(
         noted,

@@ -17,7 +17,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
-from jounce.identify.passages import running_trial
+from jounce.identify.belt_loops import running_trial
 from jounce.parts import Rig, load
 from jounce.parts.files import rig_from_table
 from jounce.parts.variants import with_strut_angle

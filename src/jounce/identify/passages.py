@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
 import xarray as xr
@@ -20,18 +19,22 @@ from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import positive_si
-from jounce.identify.fit_problem import FitTrial
+from jounce.identify.belt_loops import (
+    LEAD,
+    alike_loops,
+    cut_loops,
+    loop_recording,
+    noise_of_average,
+    running_trial,
+)
 from jounce.parts import Rig
 from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import recording_of
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.roads import Road, Train, Trial
-from jounce.simulation.running import loops_before
 from jounce.simulation.settings import RunSettings
 from jounce.simulation.solve import solved
 
-LEAD = 0.05
-"""Share of the distance between two passages by which an averaged loop begins before the obstacle."""
 _LIKE = 0.5
 """Correlation with the model's response from which on a place in the record counts as a passage."""
 _APART = 0.6
@@ -42,10 +45,6 @@ _AFTER = 0.15
 """Seconds behind a single obstacle that are looked for, too: the wheel hops, the body begins to swing."""
 _ONSET, _NEAR = 0.02, 0.02
 """Seconds behind the first obstacle that tell its onset, and to either side in which each passage is timed."""
-_ALIKE = 0.1
-"""Scatter of the differences to the average that loops have at least, as a share of their usual one."""
-_ODD = 4.0
-"""Robust standard deviations of the difference to the average, beyond which a loop counts as odd."""
 
 
 @dataclass(frozen=True)
@@ -193,11 +192,11 @@ def find_passages(
             "the obstacle is not found in the record",
             where=name,
             found=f"at best a correlation of {float(np.max(sign * like)):.2f}, and little of the motion there",
-            allowed=f"{_LIKE:g} or more with the model's response to {_of(road)} at {velocity:.3g} m/s "
+            allowed=f"{_LIKE:g} or more with the model's response to {_describe(road)} at {velocity:.3g} m/s "
             f"in {', '.join(names)}",
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
         )
-        error.sought = _sought(data, names, expected, like, step)
+        error.sought = _sought(data, names, signs, expected, like, step)
         raise error
     onset = sign * _likeness(recorded, expected.window(names, expected.onset), ahead)[0]
     samples = None if expected.period is None else expected.period / step
@@ -220,12 +219,12 @@ def find_passages(
                 "each loop of the belt holds an obstacle that the road lacks",
                 where=name,
                 found=f"another one {behind:.3g} m behind the start of the first",
-                allowed=_of(road),
+                allowed=_describe(road),
                 hint="Describe all of them, as a train or a profile of the whole loop, or take the other one off.",
             )
     if road.recurrence is None or len(times) < 2:
         return Passages(tuple(map(float, times)), values, velocity, findings=tuple(findings))
-    return _looped(data, names, times, values, road.recurrence, velocity, findings, name)
+    return _average_loops(data, names, times, values, road.recurrence, velocity, findings, name)
 
 
 # what is looked for ---------------------------------------------------------------------------------------------------
@@ -248,7 +247,7 @@ class _Expected:
         return np.asarray(rows - rows.mean(axis=1, keepdims=True))
 
 
-def _of(road: Road) -> str:
+def _describe(road: Road) -> str:
     return f"{getattr(road, 'kind', 'road')} of {road.end() - road.start:.3g} m"
 
 
@@ -257,18 +256,6 @@ def _first(road: Road) -> float:
     while isinstance(road, Train):
         road = road.of
     return road.end() - road.start
-
-
-def running_trial(rig: Rig, road: Road, speed: float) -> tuple[Trial, float]:
-    """A trial on a belt that has been running, and the time (s) at which its last loop begins.
-
-    The obstacle of ``road`` begins :data:`LEAD` of its recurrence after each loop does.
-    """
-    assert road.recurrence is not None
-    period = road.recurrence / speed
-    loops = loops_before(rig, period)
-    shifted = road.model_copy(update={"start": LEAD * road.recurrence})
-    return Trial(road=shifted, speed=speed, duration=(loops + 1) * period), loops * period
 
 
 def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[str, Sensor]) -> _Expected:
@@ -353,14 +340,17 @@ _SHARE = 0.6
 """Share of the best score from which on another place is a passage, too."""
 
 
-def _sought(data: xr.Dataset, names: Sequence[str], expected: _Expected, like: Array, step: float) -> Sought:
-    """The model's response, each channel about the mean of the record, where the record is most like it."""
+def _sought(
+    data: xr.Dataset, names: Sequence[str], signs: Array, expected: _Expected, like: Array, step: float
+) -> Sought:
+    """The model's response where the record is most like it, each channel about its mean and with the likelier sign."""
     best = int(np.argmax(np.abs(like)))
+    signs = signs * (1.0 if like[best] > 0.0 else -1.0)
     begin = float(data["time"][0]) + best * step - expected.lead
     count = expected.length
     channels = {}
-    for name in names:
-        values = expected.signals[name][:count]
+    for name, sign in zip(names, signs, strict=True):
+        values = sign * expected.signals[name][:count]
         middle = float(data[name].mean()) - float(values.mean())
         channels[name] = values + middle, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", ""))
     clock = begin + step * np.arange(count)
@@ -373,7 +363,7 @@ def _met_again(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
 
     padded = np.concatenate([[-1.0], score, [-1.0]])
     peaks = find_peaks(padded, height=_SHARE * score.max(), distance=length)[0] - 1
-    surest = np.array([_best(onset, int(i), length // 2) for i in peaks], dtype=int)
+    surest = np.array([_argmax_near(onset, int(i), length // 2) for i in peaks], dtype=int)
     return surest[(onset[surest] >= _CLEAR) & (np.abs(surest - at) > length)] if len(surest) else surest
 
 
@@ -409,7 +399,7 @@ def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int,
     for a period (samples) before and behind it, so that none is missed at the ends and none is found between. ``whole``
     is the likeness where the window lies within the record.
     """
-    surest = max((_best(whole, int(i), reach) for i in at), key=lambda i: float(whole[i]))
+    surest = max((_argmax_near(whole, int(i), reach) for i in at), key=lambda i: float(whole[i]))
     if period is None:
         return np.array([surest])
     apart = np.diff(at)
@@ -425,7 +415,7 @@ def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int,
         number, last, step, around = 0, float(surest), way * period, wide
         while 0 <= last + step < len(onset):
             number, last = number + way, last + step
-            i = _best(onset, round(last), around)
+            i = _argmax_near(onset, round(last), around)
             if onset[i] >= _SURE:
                 if number - way in found:  # follow the speed of the belt
                     step = i - found[number - way]
@@ -439,7 +429,7 @@ _SURE = 0.7
 """Correlation with the onset from which on a passage counts that was expected there."""
 
 
-def _best(onset: Array, i: int, reach: int) -> int:
+def _argmax_near(onset: Array, i: int, reach: int) -> int:
     first = max(i - reach, 0)
     return first + int(np.argmax(onset[first : i + reach + 1]))
 
@@ -467,10 +457,7 @@ def _sign_findings(signs: Array, names: Sequence[str], where: str) -> list[Findi
     return [finding("identify.upside_down", f"{where}: {', '.join(turned)}")] if turned else []
 
 
-# loops ----------------------------------------------------------------------------------------------------------------
-
-
-def _looped(
+def _average_loops(
     data: xr.Dataset,
     names: Sequence[str],
     times: Array,
@@ -492,17 +479,17 @@ def _looped(
     time = np.asarray(data["time"].to_numpy(), dtype=float)
     step = float(time[-1] - time[0]) / (len(time) - 1)
     count = max(round(period / step), 8)
-    loops, begun = _cut_loops(data, names, time, times, period, count)
+    loops, begun = cut_loops(data, names, time, times, period, count)
     if len(loops) < 2:
         return Passages(tuple(map(float, times)), likeness, speed, period, findings=tuple(findings))
-    kept = _alike(loops)
-    odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~kept))
+    chosen = alike_loops(loops)
+    odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~chosen))
     if odd:
         listed = ", ".join(map(str, odd))
         is_alternating = len(odd) > 2 and set(np.diff(odd)) == {2} and len(odd) >= (len(loops) - 1) // 2
         code = "identify.alternating_passages" if is_alternating else "identify.odd_passages"
         findings.append(finding(code, where, float(len(odd)), odd=listed, count=len(times)))
-    mean, scatter = loops[kept].mean(axis=0), loops[kept].std(axis=0, ddof=1)
+    mean, scatter = loops[chosen].mean(axis=0), loops[chosen].std(axis=0, ddof=1)
     size = np.sqrt(np.mean((mean - mean.mean(axis=1, keepdims=True)) ** 2, axis=1))
     spread = np.sqrt(np.mean(scatter**2, axis=1))
     repeat = {name: float(s / m) if m > 0.0 else math.inf for name, s, m in zip(names, spread, size, strict=True)}
@@ -511,116 +498,10 @@ def _looped(
         likeness,
         speed,
         period,
-        _recorded(data, names, mean, period, passages=int(kept.sum())),
-        _recorded(data, names, scatter, period, passages=int(kept.sum())),
+        loop_recording(data, names, mean, period, passages=int(chosen.sum())),
+        loop_recording(data, names, scatter, period, passages=int(chosen.sum())),
         repeat,
-        dict(zip(names, _noise_of_average(loops[kept]), strict=True)),
+        dict(zip(names, noise_of_average(loops[chosen]), strict=True)),
         odd,
         tuple(findings),
     )
-
-
-def _cut_loops(
-    data: xr.Dataset, names: Sequence[str], time: Array, times: Array, period: float, count: int
-) -> tuple[Array, np.ndarray]:
-    """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and where they begin.
-
-    A loop is whole where the record holds all of it and no passage was missed in it.
-    """
-    from scipy.interpolate import CubicSpline
-
-    signals = CubicSpline(time, np.stack([data[name].to_numpy() for name in names], axis=1))
-    loops, numbers = [], []
-    for number, (begin, own) in enumerate(zip(times[:-1] - LEAD * period, np.diff(times), strict=True)):
-        if round(own / period) == 1 and begin >= time[0] and begin + own <= time[-1]:
-            loops.append(signals(begin + own * np.arange(count) / count).T)
-            numbers.append(number)
-    return np.array(loops), np.array(numbers, dtype=int)
-
-
-def _noise_of_average(loops: Array) -> list[float]:
-    """Standard deviation of the noise of the average of loops, a value a channel; loops are (loops, channels, samples).
-
-    A fit counts its samples as independent. What differs from loop to loop is hardly white (speed, pressure, what is
-    left of earlier loops), so its density counts where the signal has its power.
-    """
-    count, _, samples = loops.shape
-    mean = loops.mean(axis=0)
-    power = np.abs(np.fft.rfft(mean - mean.mean(axis=1, keepdims=True), axis=1)) ** 2
-    apart = np.sum(np.abs(np.fft.rfft(loops - mean, axis=2)) ** 2, axis=0) / (samples * (count - 1))
-    within = np.sum(power * apart, axis=1) / np.maximum(np.sum(power, axis=1), 1e-300)
-    return [float(value) for value in np.sqrt(within / count)]
-
-
-def one_loop(found: Passages, measured: xr.Dataset, number: int, *, channels: Sequence[str], name: str) -> Passages:
-    """Give the same passages with the loop of one of them (counted from 1) in place of the average.
-
-    Raises
-    ------
-    FitError
-        Where the loop of this passage is not whole.
-    """
-    time = np.asarray(measured["time"].to_numpy(), dtype=float)
-    period = found.period or float(time[-1] - time[0])
-    count = max(round(period * (len(time) - 1) / float(time[-1] - time[0])), 8)
-    loops, begun = _cut_loops(measured, channels, time, np.array(found.times), period, count)
-    whole = [int(k) + 1 for k in begun]
-    if number not in whole:
-        raise FitError(
-            "no loop of this passage is recorded in full",
-            where=f"{name}: passage",
-            found=number,
-            allowed=", ".join(map(str, whole)) or "none",
-        )
-    loop = _recorded(measured, channels, loops[whole.index(number)], period)
-    alone = math.sqrt(found.loop.attrs["passages"]) if found.loop is not None else 1.0
-    noise = {channel: alone * value for channel, value in found.noise.items()}
-    return replace(found, loop=loop, scatter=None, repeatability={}, noise=noise)
-
-
-def _recorded(data: xr.Dataset, names: Sequence[str], values: Array, period: float, **attributes: Any) -> xr.Dataset:
-    """A loop as a recording: one row for each channel."""
-    channels = {
-        name: (row, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", "")))
-        for name, row in zip(names, values, strict=True)
-    }
-    clock = np.arange(values.shape[1]) * (period / values.shape[1])
-    return recording_of(clock, channels, attributes=attributes)
-
-
-def _alike(loops: Array) -> np.ndarray:
-    """Which loops are like the median of all."""
-    middle = np.median(loops, axis=0)
-    size = np.std(middle, axis=1)[:, None]
-    away = np.sqrt(np.mean(((loops - middle) / np.where(size > 0.0, size, 1.0)) ** 2, axis=(1, 2)))
-    usual = float(np.median(away))
-    spread = 1.4826 * float(np.median(np.abs(away - usual)))
-    return np.asarray(away <= usual + _ODD * max(spread, _ALIKE * usual))
-
-
-def averaged_trial(trial: FitTrial, found: Passages) -> FitTrial:
-    """Give the trial with the averaged loop in place of the record: the belt has been running, at the speed found."""
-    road = trial.trial.road
-    if found.loop is None or road is None or road.recurrence is None:
-        raise FitError("no loop of a belt was found", where=trial.name)
-    driven, begin = running_trial(trial.rig, road, found.speed)
-    loop = found.loop.assign_coords(time=("time", found.loop["time"].to_numpy() + begin, {"units": "s"}))
-    return replace(trial, trial=driven, measured=loop, noise=found.noise)
-
-
-def trial_on_running_belt(trial: FitTrial, found: Passages) -> FitTrial:
-    """Give the trial with its record as it is, on a belt that has been running, at the speed found.
-
-    For records that hold no loop in full: the model meets the obstacle when the record does for the first time.
-    """
-    road = trial.trial.road
-    assert road is not None
-    assert road.recurrence is not None
-    driven, begin = running_trial(trial.rig, road, found.speed)
-    period = road.recurrence / found.speed
-    time = np.asarray(trial.measured["time"].to_numpy(), dtype=float)
-    shift = begin + LEAD * period - found.times[0]
-    if time[0] + shift < 0.0:  # what was met before is longer ago than the loops that are run before
-        shift += period * math.ceil(-(time[0] + shift) / period)
-    shifted = trial.measured.assign_coords(time=("time", time + shift, trial.measured["time"].attrs))
-    return replace(trial, trial=driven.changed(duration=float(time[-1] + shift)), measured=shifted)

@@ -10,15 +10,10 @@ import xarray as xr
 
 import jounce as jn
 from jounce.core.errors import FitError
+from jounce.identify.belt_loops import LEAD, running_trial
 from jounce.identify.fit_problem import FitTrial
-from jounce.identify.passages import (
-    LEAD,
-    ObstacleNotFoundError,
-    averaged_trial,
-    find_passages,
-    one_loop,
-    running_trial,
-)
+from jounce.identify.passages import ObstacleNotFoundError, find_passages
+from jounce.identify.trials_on_belt import averaged_trial, select_loop
 from jounce.recordings import Sensor
 from jounce.simulation.running import loops_before
 
@@ -169,10 +164,10 @@ def test_an_averaged_trial_explains_its_record() -> None:
         averaged_trial(trial, find_passages(data.sel(time=slice(0.0, 0.45)), right, ONE, 3.87))
 
 
-def test_one_loop_is_that_of_the_record() -> None:
+def test_select_loop_is_that_of_the_record() -> None:
     measured, road = record(on_belt(ONE), 1.95), on_belt(ONE)
     found = find_passages(measured, RIG, road, 1.95)
-    loop = one_loop(found, measured, 2, channels=["sprung.az", "unsprung.az"], name="trial 1").loop
+    loop = select_loop(found, measured, 2, channels=["sprung.az", "unsprung.az"], name="trial 1").loop
     assert loop is not None
     assert found.period is not None
     begin = found.times[1] - LEAD * found.period
@@ -189,9 +184,9 @@ def test_a_loop_that_begins_before_the_record_is_refused() -> None:
     assert found.period is not None
     late = measured.sel(time=slice(found.times[0] - 0.5 * LEAD * found.period, None))
     with pytest.raises(FitError, match="no loop of this passage is recorded in full; found 1; allowed: 2, 3"):
-        one_loop(found, late, 1, channels=["sprung.az"], name="trial 1")
+        select_loop(found, late, 1, channels=["sprung.az"], name="trial 1")
     with pytest.raises(FitError, match="found 99; allowed: 1, 2"):
-        one_loop(found, measured, 99, channels=["sprung.az"], name="trial 1")
+        select_loop(found, measured, 99, channels=["sprung.az"], name="trial 1")
 
 
 def test_a_missed_passage_does_not_shift_the_numbers_of_the_others() -> None:
@@ -216,7 +211,7 @@ def test_the_noise_of_an_average_is_its_error_where_the_signal_is() -> None:
     loops = found.loop.attrs["passages"]
     for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
         assert found.noise[name] == pytest.approx(noise / np.sqrt(loops), rel=0.35)
-    alone = one_loop(found, record(road, 3.87), 2, channels=["sprung.az", "unsprung.az"], name="one")
+    alone = select_loop(found, record(road, 3.87), 2, channels=["sprung.az", "unsprung.az"], name="one")
     assert alone.noise["sprung.az"] == pytest.approx(np.sqrt(loops) * found.noise["sprung.az"])
 
 
@@ -281,7 +276,7 @@ def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> 
     parts = [np.interp(at[inside], time, quiet[name].to_numpy()) for name in names]
     wanted = [sought.response[name].to_numpy()[inside] for name in names]
     like = [np.corrcoef(part, want)[0, 1] for part, want in zip(parts, wanted, strict=True)]
-    assert abs(np.mean(like)) > sought.likeness > 0.1  # which counts quiet parts as loud: by chance it is 0.0
+    assert np.mean(like) > sought.likeness > 0.1  # which counts quiet parts as loud: by chance it is 0.0
 
 
 @pytest.mark.parametrize("turned", ["sprung.az", "unsprung.az"])
