@@ -17,7 +17,7 @@ from timing import Row, median_time, processor_time, side_by_side
 
 import jounce as jn
 from jounce.control.fmu import FmuControl, caller, read_fmu
-from jounce.control.fmu.component import unpacked
+from jounce.control.fmu.component import unpack
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.types import Array
 from jounce.exchange.fmu import build
@@ -77,7 +77,7 @@ def _export_rows(folder: Path) -> list[Row]:
         about = read_fmu(file)
         inputs = [("Float64", v.reference, 0, [0.0]) for v in about.inputs if v.unit in ("m", "m/s")]
         told = {
-            "library": str(unpacked(about) / about.binary()), "version": about.version, "token": about.token,
+            "library": str(unpack(about) / about.binary()), "version": about.version, "token": about.token,
             "resources": "", "period": _STEP, "inputs": inputs, "starts": [],
             "outputs": [("Float64", about.outputs[0].reference, 0, [0.0])],
         }  # fmt: skip

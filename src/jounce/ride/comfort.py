@@ -51,7 +51,7 @@ def duration_of(values: Array, sample_rate: float) -> float:
 
 def rms(values: ArrayLike, sample_rate: float) -> float:
     """Root of the mean square over the record, in the unit of ``values`` (rate in Hz)."""
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate) / duration_of(signal, sample_rate))
 
 
@@ -67,7 +67,7 @@ def running_rms(
     -----
     Source: ISO 2631-1:1997, 6.3.1, equations 2 and 3 (``iso-2631-1``).
     """
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     total = duration_of(signal, sample_rate)
     if not total >= time_constant * (1.0 - 1e-9):  # rounding of (n - 1) / rate
         raise RecordingError(
@@ -100,26 +100,26 @@ def mtvv(values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linea
 
 def vdv(values: ArrayLike, sample_rate: float) -> float:
     """Fourth power vibration dose value of a weighted acceleration (m/s^2) at a rate in Hz; m/s^1.75."""
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     squares = signal * signal
     return float(integral(squares * squares, sample_rate) ** 0.25)
 
 
 def evdv(values: ArrayLike, sample_rate: float) -> float:
     """Estimated vibration dose value, 1.4 times r.m.s. times fourth root of duration; m/s^2 and Hz in, m/s^1.75 out."""
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     return float(1.4 * rms(signal, sample_rate) * duration_of(signal, sample_rate) ** 0.25)
 
 
 def msdv(values: ArrayLike, sample_rate: float) -> float:
     """Motion sickness dose value of an acceleration (m/s^2) weighted by Wf, at a rate in Hz; m/s^1.5."""
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate))
 
 
 def crest_factor(values: ArrayLike, sample_rate: float) -> float:
     """Largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     average = rms(signal, sample_rate)
     if not average > 0.0:
         raise RecordingError("nothing shakes, so there is no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
@@ -157,7 +157,7 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). MTVV and VDV should be
     reported as well where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
     """
-    signal, sample_rate = _checked(values, sample_rate)
+    signal, sample_rate = _check_signal(values, sample_rate)
     average, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
     if average <= 0.0:
         return ()
@@ -174,7 +174,7 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     return tuple(findings)
 
 
-def _checked(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:
+def _check_signal(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:
     signal, sample_rate = as_samples(values, where="signal"), as_number(sample_rate, "Hz", where="sample_rate")
     if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
         raise RecordingError(

@@ -64,7 +64,7 @@ class Relative:
 
 
 def check_stable(values: Complex) -> None:
-    """Refuse models that do not come to rest, judged by their eigenvalues (..., n) in 1/s."""
+    """Refuse models that are not asymptotically stable, by their eigenvalues (..., n) in 1/s."""
     grows = np.max(values.real, axis=-1) > -1e-9 * np.max(np.abs(values), axis=-1, initial=1e-300)  # above rounding
     if np.any(grows):
         unstable = values[grows][0]
@@ -141,7 +141,7 @@ def sources_of(delays: Array, sides: Sequence[int], *, same: bool) -> tuple[Sour
     return tuple(sources)
 
 
-def _summed(table: Array, source: Source) -> Array:
+def _sum_groups(table: Array, source: Source) -> Array:
     """Sums of columns (..., wheels) over the wheels of each group: (..., groups)."""
     return np.stack([table[..., list(group.wheels)].sum(axis=-1) for group in source], axis=-1)
 
@@ -150,7 +150,7 @@ def _outer(first: Array, second: Array) -> Array:
     return np.asarray(first[..., :, None] * second[..., None, :])
 
 
-def _turned(matrices: NDArray[Number]) -> NDArray[Number]:
+def _transpose(matrices: NDArray[Number]) -> NDArray[Number]:
     return np.swapaxes(matrices, -1, -2)
 
 
@@ -166,7 +166,7 @@ class Lyapunov:
         """Return X for any Q (members, n, n), or (members, parameters, n, n)."""
         solution = self._by_eigenvectors(q)
         a = self._beside(self.a, q)
-        residual = a @ solution + solution @ _turned(a) + q
+        residual = a @ solution + solution @ _transpose(a) + q
         solution = solution + self._by_eigenvectors(residual)  # one refinement removes the rounding of the eigenvectors
         for k in np.flatnonzero(~self.eigen.is_sound):
             for place in np.ndindex(q.shape[1:-2]):
@@ -180,8 +180,8 @@ class Lyapunov:
         vectors, inverse, sums = (
             self._beside(part, q) for part in (self.eigen.vectors, self.eigen.inverse, self._sums)
         )
-        inner = inverse @ q @ _turned(inverse)
-        return np.asarray((vectors @ (-inner / sums) @ _turned(vectors)).real)
+        inner = inverse @ q @ _transpose(inverse)
+        return np.asarray((vectors @ (-inner / sums) @ _transpose(vectors)).real)
 
     def _by_schur(self, k: int, q: Array) -> Array:
         from scipy.linalg import schur
@@ -257,7 +257,7 @@ class Covariance:
         for source in self.sources:
             wheels = [i for group in source for i in group.wheels]
             wanders = np.abs(model.d[..., wheels].sum(axis=-1)) > _NOTHING * model.scale[..., wheels].sum(axis=-1)
-            kicked = np.any(np.abs(_summed(model.f, source)) > _NOTHING * _summed(size, source), axis=-1)
+            kicked = np.any(np.abs(_sum_groups(model.f, source)) > _NOTHING * _sum_groups(size, source), axis=-1)
             wanders, kicked = wanders.any(axis=0), kicked.any(axis=0)
             reasons.update(dict.fromkeys(map(int, np.flatnonzero(wanders)), WANDERS))
             reasons.update(dict.fromkeys(map(int, np.flatnonzero(kicked & ~wanders)), KICKED))
@@ -279,10 +279,10 @@ class Covariance:
     def _state(self, source: Source) -> Array:
         drives = self._drives(source)
         covariance = self._lyapunov.solve(_sum(_outer(b, b) for _, b in drives))
-        for i, (first, b) in enumerate(drives):
-            for second, other in drives[i + 1 :]:
-                cross = self._flows.at(second - first) @ self._lyapunov.solve(_outer(b, other))
-                covariance = covariance + cross + _turned(cross)
+        for i, (delay, b) in enumerate(drives):
+            for later_delay, later_b in drives[i + 1 :]:
+                cross = self._flows.at(later_delay - delay) @ self._lyapunov.solve(_outer(b, later_b))
+                covariance = covariance + cross + _transpose(cross)
         return np.asarray(covariance)
 
     def _drives(self, source: Source) -> list[tuple[Array, Array]]:
@@ -339,7 +339,7 @@ class Covariance:
     def _solve_slopes(self, solution: Array, noise: Array, along: Array) -> Array:
         """Slopes of X with ``A X + X A' + Q = 0`` from those of Q and A."""
         whole = solution[:, None]
-        return self._lyapunov.solve(along @ whole + whole @ _turned(along) + noise)
+        return self._lyapunov.solve(along @ whole + whole @ _transpose(along) + noise)
 
     def _state_slopes(self, source: Source, along: Relative, later: Array) -> Array:
         groups = self._moving(source, along, later)
@@ -347,13 +347,13 @@ class Covariance:
         noise = _sum(_outer(b[:, None], e) + _outer(e, b[:, None]) for _, b, _, e in groups)
         total = self._solve_slopes(own, noise, along.A)
         for i, (first, b, first_later, b_slopes) in enumerate(groups):
-            for second, other, second_later, other_slopes in groups[i + 1 :]:
-                x = self._lyapunov.solve(_outer(b, other))
-                noise = _outer(b_slopes, other[:, None]) + _outer(b[:, None], other_slopes)
+            for second, later_b, second_later, later_b_slopes in groups[i + 1 :]:
+                x = self._lyapunov.solve(_outer(b, later_b))
+                noise = _outer(b_slopes, later_b[:, None]) + _outer(b[:, None], later_b_slopes)
                 slopes = self._solve_slopes(x, noise, along.A)
                 flow, flow_slopes = self._flow_slopes(second - first, second_later - first_later, along.A)
                 cross = flow_slopes @ x[:, None] + flow[:, None] @ slopes
-                total = total + cross + _turned(cross)
+                total = total + cross + _transpose(cross)
         return np.asarray(total)
 
     def _flow_slopes(self, time: Array, later: Array, along: Array) -> tuple[Array, Array]:
@@ -483,18 +483,18 @@ class Inverse:
         modal = self._shares * (self.eigen.inverse @ b[:, :, None])
         product = _in_parts(self.eigen.vectors, modal)
         for k in np.flatnonzero(~self.eigen.is_sound):
-            product[k] = np.linalg.solve(self._shifted(int(k)), b[k][:, None])[:, :, 0].T
+            product[k] = np.linalg.solve(self._shift(int(k)), b[k][:, None])[:, :, 0].T
         return np.asarray(product)
 
     def before(self, c: Array) -> Complex:
         """C, shape (members, m, n), times the inverse: shape (members, m, n, f)."""
         modal = (c @ self.eigen.vectors)[:, :, :, None] * self._shares[:, None]
-        product = _in_parts(_turned(self.eigen.inverse)[:, None], modal)
+        product = _in_parts(_transpose(self.eigen.inverse)[:, None], modal)
         for k in np.flatnonzero(~self.eigen.is_sound):
-            product[k] = np.moveaxis(np.linalg.solve(_turned(self._shifted(int(k))), c[k].T), (0, 2), (2, 0))
+            product[k] = np.moveaxis(np.linalg.solve(_transpose(self._shift(int(k))), c[k].T), (0, 2), (2, 0))
         return np.asarray(product)
 
-    def _shifted(self, k: int) -> Complex:
+    def _shift(self, k: int) -> Complex:
         return np.asarray(self.s[k][:, None, None] * np.eye(self.a.shape[-1]) - self.a[k])
 
 
@@ -588,14 +588,14 @@ class BandVariance:
         """Contribution of each frequency to the variance of each output, in the square of its SI unit."""
         power = sum(part.real**2 + part.imag**2 for part in self._responses)
         if self.band.coherence is not None:
-            power = power + 2.0 * self.band.coherence[:, None, :] * self._shared()
+            power = power + 2.0 * self.band.coherence[:, None, :] * self._cross_power()
         return np.asarray(power * self._weights)
 
     def variances(self) -> Array:
         """Variance of each output (members, outputs), in the square of its SI unit."""
         return np.asarray(np.sum(self.shares(), axis=-1))
 
-    def _shared(self) -> Array:
+    def _cross_power(self) -> Array:
         left, right = self._responses
         return np.asarray((left * right.conj()).real)
 
@@ -631,12 +631,12 @@ class BandVariance:
         for source, pull in zip(self.sources, self._pulls, strict=True):
             late = np.stack([later[..., group.wheels[0]] for group in source], axis=-1)
             total += np.einsum("srji,snji->snr", pull.matrix, along.A)
-            total += np.einsum("srjg,snjg->snr", pull.drive, _summed(along.b, source))
+            total += np.einsum("srjg,snjg->snr", pull.drive, _sum_groups(along.b, source))
             total += np.einsum("srj,snrj->snr", pull.state, along.C) - np.einsum("srg,sng->snr", pull.delay, late)
-            total += np.einsum("srg,snrg->snr", pull.height, _summed(along.d, source))
-            total += np.einsum("srg,snrg->snr", pull.rate, _summed(along.f, source))
+            total += np.einsum("srg,snrg->snr", pull.height, _sum_groups(along.d, source))
+            total += np.einsum("srg,snrg->snr", pull.rate, _sum_groups(along.f, source))
         if coherence is not None:
-            total += np.einsum("snf,srf->snr", 2.0 * coherence, self._shared() * self._weights)
+            total += np.einsum("snf,srf->snr", 2.0 * coherence, self._cross_power() * self._weights)
         return total
 
 
@@ -663,7 +663,7 @@ def _summed_products(left: Complex, right: Complex) -> Array:
     step = max(8, _SMALL // (left.shape[-2] * right.shape[-2]))
     for first in range(0, left.shape[-1], step):
         part = slice(first, first + step)
-        total += (left[..., part] @ _turned(right[..., part])).real
+        total += (left[..., part] @ _transpose(right[..., part])).real
     return total
 
 
@@ -746,7 +746,7 @@ class RandomVibration:
             reduced, reduced_along = without_unreached(model[0], along[0])
             model, along, eigen = side_by_side([reduced]), side_by_side([reduced_along]), Eigen(reduced.A[None])
         part = _Part(self, model, along, eigen, sources, values, group)
-        return [part.white() if self.surface.band is None else part.banded()]
+        return [part.white() if self.surface.band is None else part.over_band()]
 
     def _sources(self, values: Array, group: slice) -> tuple[Source, ...] | None:
         delays = self.families.geometry_at(values)[group, :-1] / self.surface.speed
@@ -823,7 +823,7 @@ class _Part:
             slopes = intensity * covariance.slopes(relative_along, self._later)
         return intensity * covariance.variances(), slopes, covariance.absent()
 
-    def banded(self) -> tuple[Array, Array, dict[int, str]]:
+    def over_band(self) -> tuple[Array, Array, dict[int, str]]:
         """Variances and slopes over the road's spectrum; no signal is absent."""
         relative_model, along = relative(self.model, self.eigen.values), self.along
         band = self._band()

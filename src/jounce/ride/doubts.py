@@ -55,15 +55,15 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
         power = float(centred @ centred) / centred.size
         if kind is None or power == 0.0:
             continue
-        yield from _steps(name, values, power)
+        yield from _check_steps(name, values, power)
         if centred.size >= _SHORTEST * rate * (1.0 - 1e-9):
             frequency, density = _spectrum(centred, rate)
-            yield from _travel(name, frequency, density, kind)
+            yield from _check_travel(name, frequency, density, kind)
             if kind is _BODY:
-                yield from _empty_bands(name, frequency, density)
+                yield from _check_bands(name, frequency, density)
     for wheel, body in _pairs(accelerations):
-        yield from _exchanged(wheel, body, accelerations)
-        yield from _filtered(wheel, body, accelerations, rate)
+        yield from _check_exchange(wheel, body, accelerations)
+        yield from _check_filter(wheel, body, accelerations, rate)
 
 
 def _pairs(names: Iterable[str]) -> Iterator[tuple[str, str]]:
@@ -81,14 +81,14 @@ def _spectrum(centred: Array, rate: float) -> tuple[Array, Array]:
     return np.asarray(frequency), np.asarray(density)
 
 
-def _steps(name: str, values: Array, power: float) -> Iterator[Finding]:
+def _check_steps(name: str, values: Array, power: float) -> Iterator[Finding]:
     step = float(np.diff(np.unique(values)).min())
     share = step**2 / 12.0 / power
     if share > _STEPS:
         yield finding("ride.coarse_steps", name, step, step=step, rms=power**0.5, share=share)
 
 
-def _travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) -> Iterator[Finding]:
+def _check_travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) -> Iterator[Finding]:
     lowest, most = _TRAVELS[kind]
     inside = frequency > lowest
     motion = float(np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1]))
@@ -97,7 +97,7 @@ def _travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) 
         yield finding(code, name, motion, lowest=lowest, motion=motion)
 
 
-def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Finding]:
+def _check_bands(name: str, frequency: Array, density: Array) -> Iterator[Finding]:
     level = {
         low: 10.0 * np.log10(max(float(np.sum(density[(frequency >= low) & (frequency < 2.0 * low)])), 1e-300))
         for low in (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
@@ -110,13 +110,13 @@ def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Findin
         yield finding("ride.high_pass", name, level[1.0] - level[0.5], fall=level[1.0] - level[0.5])
 
 
-def _exchanged(wheel: str, body: str, accelerations: Mapping[str, Array]) -> Iterator[Finding]:
+def _check_exchange(wheel: str, body: str, accelerations: Mapping[str, Array]) -> Iterator[Finding]:
     ratio = float(accelerations[body].std()) / max(float(accelerations[wheel].std()), 1e-300)
     if ratio > _EXCHANGED:
         yield finding("ride.exchanged", body, ratio, ratio=ratio, wheel=wheel)
 
 
-def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
+def _check_filter(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
     """Report a filter in one channel if the body follows its wheel through spring, damper and a filter."""
     given, answer = accelerations[wheel], accelerations[body]
     if given.size < _SHORTEST * rate * (1.0 - 1e-9) or min(np.ptp(given), np.ptp(answer)) == 0.0:
@@ -124,9 +124,9 @@ def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: f
     frequency, transfer, coherence = _transfer(given, answer, rate)
     if frequency.size < _FEWEST_LINES or float(np.median(coherence)) < _COHERENT:
         return
-    residual_without, _ = _fitted(frequency, transfer, coherence)
+    residual_without, _ = _fit(frequency, transfer, coherence)
     for kind in _FILTERS:
-        residual, corner = _fitted(frequency, transfer, coherence, kind)
+        residual, corner = _fit(frequency, transfer, coherence, kind)
         if residual_without > _FAR and residual < min(_CLOSE, _BETTER * residual_without):
             yield finding(
                 "ride.filtered",
@@ -162,7 +162,7 @@ _FILTERS: dict[str, tuple[Callable[[Complex], Complex], float]] = {
 """Response of each kind of filter (1) at s over its corner frequency, and the initial corner (Hz)."""
 
 
-def _fitted(frequency: Array, transfer: Complex, coherence: Array, what: str = "") -> tuple[float, float]:
+def _fit(frequency: Array, transfer: Complex, coherence: Array, what: str = "") -> tuple[float, float]:
     """Fit a body on spring and damper, optionally behind a filter, to a response (n,) at frequencies (n,) in Hz.
 
     Returns the residual, as the r.m.s. logarithm of the ratio (1), and the corner in Hz.

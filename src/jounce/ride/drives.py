@@ -47,8 +47,10 @@ def check_single_recording(out: Path | None, control: Sequence[str] | None, **_:
     """Refuse one file for the recordings of several rides."""
     names = named_controls(control or ["passive"])
     if out is not None and len(names) > 1:
-        found = ", ".join(map(str, names))
-        raise DescriptionError("one file holds one run", where="--out", found=found, allowed="one --control with --out")
+        listed = ", ".join(map(str, names))
+        raise DescriptionError(
+            "one file holds one run", where="--out", found=listed, allowed="one --control with --out"
+        )
 
 
 @operation(
@@ -195,7 +197,7 @@ def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
     named = [name for name in names if name != ""]
     if not named:
         raise DescriptionError("no controller is named", where="--control", allowed="a controller, its file, or all")
-    return list(dict.fromkeys(one for name in named for one in (all_controls() if name == "all" else (name,))))
+    return list(dict.fromkeys(control for name in named for control in (all_controls() if name == "all" else (name,))))
 
 
 def trial_over(

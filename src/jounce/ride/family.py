@@ -241,7 +241,7 @@ class Families:
         compiled = self.first.compiled
         graphs, u = _graphs(compiled, self.first.rig), np.tile(compiled.inputs(0.0), (len(p), 1))
         x, modes = rests_for_small_motions(compiled, graphs.rest, p, u)
-        model = self._shaped(graphs.values(x, u, p, modes))
+        model = self._reshape(graphs.values(x, u, p, modes))
         count = len(self._places) if slopes else 0
         if not count:
             return model, _none_of(model)
@@ -255,9 +255,9 @@ class Families:
         inverse = np.linalg.pinv(model.A, rcond=len(model.A[0]) * np.finfo(float).eps)  # neutral motions do not move
         dx = -np.einsum("sij,snj->sni", inverse, push).reshape(-1, x.shape[1])
         along = graphs.along(*where, dx, dp)
-        return model, self._shaped([part.reshape(len(p), count, *part.shape[1:]) for part in along])
+        return model, self._reshape([part.reshape(len(p), count, *part.shape[1:]) for part in along])
 
-    def _shaped(self, parts: Sequence[Array]) -> Matrices:
+    def _reshape(self, parts: Sequence[Array]) -> Matrices:
         a, b, c, d, static = parts
         order, wheels = self.first.compiled.facts.track_order, len(self.first.wheels)
         b3, d3 = (np.moveaxis(part.reshape(*part.shape[:-1], wheels, order), -1, -3) for part in (b, d))
@@ -310,7 +310,7 @@ class Families:
             along["output"][:, columns],
             compiled.evaluate("output", *where),
         ]
-        return self._shaped(parts), (equilibrium.x[: compiled.facts.counts[0]], free)
+        return self._reshape(parts), (equilibrium.x[: compiled.facts.counts[0]], free)
 
 
 def _none_of(model: Matrices) -> Matrices:
@@ -443,26 +443,26 @@ def without_unreached(model: Matrices, slopes: Matrices) -> tuple[Matrices, Matr
     form, basis, count = schur(model.A, output="real", sort=lambda real, _: real < bound)
     if count == len(form):
         return model, slopes
-    kept, dropped = basis[:, :count], basis[:, count:]
+    reached, unreached = basis[:, :count], basis[:, count:]
     for b in model.B:
-        if np.max(np.abs(dropped.T @ b), initial=0.0) > _UNREACHED * max(float(np.max(np.abs(b), initial=0.0)), 1.0):
+        if np.max(np.abs(unreached.T @ b), initial=0.0) > _UNREACHED * max(float(np.max(np.abs(b), initial=0.0)), 1.0):
             return model, slopes
-    reduced = _reduced(model, kept)
-    along = [_reduced_slope(model, slopes[k], form, kept, dropped) for k in range(len(slopes.A))]
+    reduced = _reduce(model, reached)
+    along = [_reduce_slope(model, slopes[k], form, reached, unreached) for k in range(len(slopes.A))]
     return reduced, side_by_side(along) if along else _none_of(reduced[None])[0]
 
 
-def _reduced(model: Matrices, kept: Array) -> Matrices:
-    b = np.stack([kept.T @ part for part in model.B])
-    return Matrices(kept.T @ model.A @ kept, b, model.C @ kept, model.D, model.static)
+def _reduce(model: Matrices, reached: Array) -> Matrices:
+    b = np.stack([reached.T @ part for part in model.B])
+    return Matrices(reached.T @ model.A @ reached, b, model.C @ reached, model.D, model.static)
 
 
-def _reduced_slope(model: Matrices, along: Matrices, form: Array, kept: Array, dropped: Array) -> Matrices:
+def _reduce_slope(model: Matrices, along: Matrices, form: Array, reached: Array, unreached: Array) -> Matrices:
     """Slope of the reduced model; the subspace turns with the parameter."""
     from scipy.linalg import solve_sylvester
 
-    count = kept.shape[1]
-    turn = solve_sylvester(form[count:, count:], -form[:count, :count], -dropped.T @ along.A @ kept)
-    reduced = _reduced(along, kept)
-    a, c = reduced.A + kept.T @ model.A @ dropped @ turn, reduced.C + model.C @ dropped @ turn
+    count = reached.shape[1]
+    turn = solve_sylvester(form[count:, count:], -form[:count, :count], -unreached.T @ along.A @ reached)
+    reduced = _reduce(along, reached)
+    a, c = reduced.A + reached.T @ model.A @ unreached @ turn, reduced.C + model.C @ unreached @ turn
     return Matrices(a, reduced.B, c, reduced.D, reduced.static)

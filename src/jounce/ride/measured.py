@@ -1,4 +1,4 @@
-"""Ride metrics of a recording, with what is to be known of the recording."""
+"""Ride metrics of a recording, with findings on the recording."""
 
 from __future__ import annotations
 
@@ -109,8 +109,8 @@ def measured_ride(
     """
     run, notes = recording
     chosen = None if rig is None else as_rig(rig)
-    given: dict[str, Any] = {"settling": settling, "start": start, "exposure": exposure}
-    found = ride_metrics(run, chosen, lift_off_load=lift_off_load, **given)
+    choices: dict[str, Any] = {"settling": settling, "start": start, "exposure": exposure}
+    metrics = ride_metrics(run, chosen, lift_off_load=lift_off_load, **choices)
     known = {(finding.severity, finding.message) for finding in notes}
-    more = [finding for finding in found.findings if (finding.severity, finding.message) not in known]
-    return MeasuredRide(found, (*notes, *more))
+    more = [finding for finding in metrics.findings if (finding.severity, finding.message) not in known]
+    return MeasuredRide(metrics, (*notes, *more))

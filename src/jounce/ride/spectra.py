@@ -152,7 +152,7 @@ def power_spectrum(
     (10.0, 4.5)
     """
     rate = rate_of_channels([values], where="signal") if sample_rate is None else as_number(sample_rate, "Hz")
-    signal = _checked(values, rate, "signal")
+    signal = _check_signal(values, rate, "signal")
     count = _segment_length(signal, rate, segment, window)
     frequency, density = cross_spectrum(signal, signal, rate, count, window)
     resolution = WINDOWS[window] * rate / count
@@ -204,7 +204,7 @@ def transfer_function(
     """
     is_sampled = sample_rate is None
     rate = rate_of_channels([given, answer], where="transfer function") if is_sampled else as_number(sample_rate, "Hz")
-    x, y = _checked(given, rate, "input"), _checked(answer, rate, "output")
+    x, y = _check_signal(given, rate, "input"), _check_signal(answer, rate, "output")
     if x.shape != y.shape:
         raise RecordingError(
             "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
@@ -219,11 +219,11 @@ def transfer_function(
             allowed=f"at most half the record of {x.size / rate:g} s",
         )
     frequency, cross = cross_spectrum(x, y, rate, count, window)
-    own = cross_spectrum(x, x, rate, count, window)[1].real
-    other = cross_spectrum(y, y, rate, count, window)[1].real
-    response = np.divide(cross, own, out=np.zeros_like(cross), where=own > 0.0)
-    both = own * other
-    coherence = np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0)
+    input_power = cross_spectrum(x, x, rate, count, window)[1].real
+    output_power = cross_spectrum(y, y, rate, count, window)[1].real
+    response = np.divide(cross, input_power, out=np.zeros_like(cross), where=input_power > 0.0)
+    product = input_power * output_power
+    coherence = np.divide(abs(cross) ** 2, product, out=np.zeros_like(input_power), where=product > 0.0)
     return Transfer(frequency, response, np.clip(coherence, 0.0, 1.0), averages)
 
 
@@ -298,7 +298,7 @@ def third_octaves(spectrum: Spectrum) -> Bands:
     return Bands(centre, low, high, np.sqrt(squares))
 
 
-def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
+def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
     signal = as_samples(values, where=what)
     if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not 0.0 < sample_rate < math.inf:
         raise RecordingError(

@@ -203,14 +203,14 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
     """
     row = weighting(name)
     sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
-    signal = _checked(values, sample_rate, row, start)
+    signal = _check_signal(values, sample_rate, row, start)
     signal = signal - {"rest": 0.0, "first": float(signal[0]), "mean": float(signal.mean())}[start]
     memory = math.ceil(row.memory * sample_rate) + _GUARD
     extended = np.concatenate([signal, _continuation(signal)])
-    return _convolved(extended, row.name, sample_rate, memory)[: signal.size]
+    return _convolve(extended, row.name, sample_rate, memory)[: signal.size]
 
 
-def _checked(values: ArrayLike, sample_rate: float, row: Weighting, start: str) -> Array:
+def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: str) -> Array:
     at = f"weighting {row.name}"
     signal = as_samples(values, where=at)
     if start not in STARTS:
@@ -237,7 +237,7 @@ def _continuation(signal: Array) -> Array:
     return np.asarray(image * (0.5 + 0.5 * np.cos(math.pi * np.arange(1, count + 1) / count)), dtype=float)
 
 
-def _convolved(signal: Array, name: str, sample_rate: float, memory: int) -> Array:
+def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Array:
     """Overlap-save: each block includes ``memory`` samples before it and a guard after it."""
     margin = memory + _GUARD
     block = _block_length(signal.size, margin)
