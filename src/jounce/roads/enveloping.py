@@ -23,7 +23,7 @@ from jounce.core.samples import as_samples
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, PositiveLength, PositiveNumber
-from jounce.roads.profile import Profile, hermite_pieces, laid_out
+from jounce.roads.profile import Profile, hermite_pieces, lay_out
 from jounce.roads.road import RoadOf
 
 _NEEDED = {
@@ -108,23 +108,23 @@ class Enveloped(RoadOf):
             raise misplaced((), what, allowed=Phrase("above {bound:g}", bound=1.0))
 
     @model_validator(mode="after")
-    def _checked(self) -> Self:
+    def _check_fields(self) -> Self:
         self.check()
         return self  # the loop is that of the road inside, which has checked it
 
     def reach(self) -> float:
         """Distance in m ahead of and behind the wheel centre at which the road has an effect."""
         if self.method == "moving-average":
-            return 0.5 * _given(self.contact_length)
+            return 0.5 * _require(self.contact_length)
         cam = self._cam()
-        return cam.a if self.method == "rigid-circle" else cam.a + 0.5 * self._apart()
+        return cam.a if self.method == "rigid-circle" else cam.a + 0.5 * self._cam_distance()
 
     def profile(self) -> Profile:
         """Effective height of one pass."""
         inner, reach = self.of.profile(), self.reach()
         low, high = float(inner.edges[0]) - reach, float(inner.edges[-1]) + reach
-        road = laid_out(inner, [(0.0, 0.0)], low - reach, high + reach)
-        felt = self._felt(road, low, high)[0]
+        road = lay_out(inner, [(0.0, 0.0)], low - reach, high + reach)
+        felt = self._filter(road, low, high)[0]
         return Profile(felt.edges, felt.kind, felt.coefficients, inner.before, inner.after)
 
     def end(self) -> float:
@@ -148,35 +148,35 @@ class Enveloped(RoadOf):
 
     def _window(self, low: float, high: float) -> tuple[Segments, Segments]:
         margin = 1.01 * self.reach()
-        return self._felt(self.of._between(low - margin, high + margin), low, high)
+        return self._filter(self.of._between(low - margin, high + margin), low, high)
 
-    def _felt(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
-        """Effective height and slope from ``low`` to ``high`` of a road that is given wide enough."""
+    def _filter(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
+        """Effective height and slope from ``low`` to ``high``; the road must extend beyond both by the reach."""
         method = (self.method, self.contact_length, self.radius, self.cam_length, self.cam_height, self.cam_exponent)
         key = _digest(road, *method, self.cam_distance, self.step, self.tolerance, low, high)
-        return _REMEMBERED.get(key, lambda: self._computed(road, low, high))
+        return _RESULTS.get(key, lambda: self._compute(road, low, high))
 
-    def _computed(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
+    def _compute(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
         if self.method == "moving-average":
-            length = _given(self.contact_length)
-            mean = averaged(road, 0.5 * length, (low, high), self.step or length / 20.0, self.tolerance)
+            length = _require(self.contact_length)
+            mean = average(road, 0.5 * length, (low, high), self.step or length / 20.0, self.tolerance)
             return mean, mean
-        step = self.step or _given(self.radius) / 8.0
+        step = self.step or _require(self.radius) / 8.0
         if self.method == "rigid-circle":
-            height = rolled(road, self._cam(), (low, high), step, self.tolerance)
+            height = roll_cam(road, self._cam(), (low, high), step, self.tolerance)
             return height, height
-        half = 0.5 * self._apart()
-        each = rolled(road, self._cam(), (low - half, high + half), step, self.tolerance)
-        return combined(each, 2.0 * half, low, high)
+        half = 0.5 * self._cam_distance()
+        each = roll_cam(road, self._cam(), (low - half, high + half), step, self.tolerance)
+        return combine(each, 2.0 * half, low, high)
 
     def _cam(self) -> Cam:
-        radius = _given(self.radius)
+        radius = _require(self.radius)
         if self.method == "rigid-circle":
             return Cam(radius, radius)
         return Cam(self.cam_length * radius, self.cam_height * radius, self.cam_exponent)
 
-    def _apart(self) -> float:
-        return self.cam_distance * _given(self.contact_length)
+    def _cam_distance(self) -> float:
+        return self.cam_distance * _require(self.contact_length)
 
 
 def contact_length(
@@ -213,7 +213,7 @@ def contact_length(
     return 2.0 * radius * (root * math.sqrt(share) + linear * share)
 
 
-def _given(value: float | None) -> float:
+def _require(value: float | None) -> float:
     if value is None:
         raise AssertionError("a field that the method needs is missing")
     return value
@@ -226,7 +226,7 @@ def _digest(road: Segments, *values: object) -> bytes:
     return digest.digest()
 
 
-class _Remembered:
+class _Results:
     """Recent results, because a run uses the same road several times."""
 
     def __init__(self, most: int) -> None:
@@ -242,7 +242,7 @@ class _Remembered:
         return self.results[key]
 
 
-_REMEMBERED = _Remembered(4)
+_RESULTS = _Results(4)
 
 
 Numbers = NDArray[np.int64]
@@ -250,7 +250,7 @@ _SHARES = (0.2928932188134524, 0.7071067811865476)  # test points in a cubic: no
 SHORTEST = 1e-9  # m; closer borders coincide
 _STEEPEST = 50.0  # slope (89 degrees) that counts as a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
-"""Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
+"""Shares of a step at which there are borders beside a point of infinite curvature."""
 _SHARP = 0.02  # jump of the contact point, relative to a, that counts as an edge
 _BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
 _PAIRS = 1_000_000  # nodes times pieces processed at once: 8 MB
@@ -291,7 +291,7 @@ class Cam:
         return np.asarray(np.sign(slope) * self.a * (ratio / (1.0 + ratio)) ** (1.0 / self.c))
 
 
-def averaged(road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+def average(road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float) -> Segments:
     """Mean height over ``half`` metres to either side, over a window (m, m).
 
     Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
@@ -302,7 +302,7 @@ def averaged(road: Segments, half: float, window: tuple[float, float], step: flo
     borders = _borders([road.edges - half, road.edges + half, *near], *window)
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     simple = (road.kind == POLYNOMIAL) & (road.coefficients[:, 3] == 0.0)
-    borders = _refined(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
+    borders = _subdivide(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
     whole = np.concatenate([[0.0], np.cumsum(_area(road, np.arange(len(road.kind)), road.edges[1:]))])
 
     def mean(x: Array) -> tuple[Array, Array]:
@@ -314,14 +314,14 @@ def averaged(road: Segments, half: float, window: tuple[float, float], step: flo
     while True:
         behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
         span, begin, end = np.diff(borders), mean(borders[:-1]), mean(borders[1:])
-        missed = [_cubic(span, begin, end, share) - mean(borders[:-1] + share * span)[0] for share in _SHARES]
-        off = np.flatnonzero((np.max(np.abs(missed), axis=0) > tolerance) & (span > 1e3 * SHORTEST))
+        errors = [_cubic(span, begin, end, share) - mean(borders[:-1] + share * span)[0] for share in _SHARES]
+        off = np.flatnonzero((np.max(np.abs(errors), axis=0) > tolerance) & (span > 1e3 * SHORTEST))
         if not len(off):
-            return _joined(borders, begin, end)
+            return _join(borders, begin, end)
         borders = np.insert(borders, off + 1, borders[off] + 0.5 * span[off])
 
 
-def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Segments, Segments]:
+def combine(road: Segments, apart: float, low: float, high: float) -> tuple[Segments, Segments]:
     """Mean of the heights half of ``apart`` metres ahead and behind (m), and their difference over ``apart`` (1)."""
     half = 0.5 * apart
     borders = _borders([road.edges - half, road.edges + half], low, high)
@@ -332,10 +332,10 @@ def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Seg
         ends[0].append(0.5 * (front + rear))
         ends[1].append((front - rear) / apart)
     mean, slope = ([(left[0], left[1]), (right[0], right[1])] for left, right in ends)
-    return _joined(borders, *mean), _joined(borders, *slope)
+    return _join(borders, *mean), _join(borders, *slope)
 
 
-def rolled(road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+def roll_cam(road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float) -> Segments:
     """Height in m of a cam that rests on the road, less its height on a level road, over a window (m, m).
 
     Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
@@ -343,9 +343,9 @@ def rolled(road: Segments, cam: Cam, window: tuple[float, float], step: float, t
     where an edge begins or ceases to touch, is a border.
     """
     parts = _Parts.of(road, cam)
-    nodes = _refined(np.array(window), np.array([step]))
+    nodes = _subdivide(np.array(window), np.array([step]))
     nodes = _borders([nodes, parts.transitions()], *window)
-    nodes, left, right = _with_kinks(parts, nodes, parts.contact(nodes), tolerance)
+    nodes, left, right = _add_kinks(parts, nodes, parts.contact(nodes), tolerance)
     steep = max(np.abs(left[1]).max(), np.abs(right[1]).max())
     if steep > _STEEPEST:
         raise DescriptionError(
@@ -353,7 +353,7 @@ def rolled(road: Segments, cam: Cam, window: tuple[float, float], step: float, t
             allowed=f"edges well below {cam.b:g} m",
             hint="Use a larger wheel or a lower obstacle.",
         )
-    return _joined(nodes, (right[0][:-1], right[1][:-1]), (left[0][1:], left[1][1:]))
+    return _join(nodes, (right[0][:-1], right[1][:-1]), (left[0][1:], left[1][1:]))
 
 
 @dataclass(frozen=True)
@@ -376,7 +376,7 @@ class _Parts:
         waves, arcs = road.kind == SINE, road.kind == CIRCLE
         longest[waves] = np.minimum(longest[waves], np.pi / 8.0 / np.maximum(road.coefficients[waves, 2], 1e-9))
         longest[arcs] = np.minimum(longest[arcs], road.coefficients[arcs, 1] / 16.0)
-        border = _refined(road.edges, longest)
+        border = _subdivide(road.edges, longest)
         piece = road.piece_at(0.5 * (border[:-1] + border[1:]))
         nudge = 1e-7 * np.diff(border)  # an arc has no slope at its very foot
         left, right = road.on_pieces(piece, border[:-1])[0], road.on_pieces(piece, border[1:])[0]
@@ -459,10 +459,10 @@ def _is_curved(road: Segments) -> NDArray[np.bool_]:
     return np.asarray((road.kind != POLYNOMIAL) | (road.coefficients[:, 2:] != 0.0).any(axis=1))
 
 
-def _with_kinks(
+def _add_kinks(
     parts: _Parts, nodes: Array, contact: tuple[Array, Array], tolerance: float
 ) -> tuple[Array, tuple[Array, Array], tuple[Array, Array]]:
-    """Nodes with the kinks between them, and heights (m) and slopes (1) on the left and on the right of each."""
+    """Add nodes at the kinks; return all nodes, and heights (m) and slopes (1) on the left and right of each."""
     height, at = contact
     slope = parts.cam.slope(at - nodes)
     left = right = np.array([nodes, height, slope, at])
@@ -470,32 +470,32 @@ def _with_kinks(
         apart = right[0, 1:] - right[0, :-1]
         jump = left[3, 1:] - right[3, :-1]
         wide = np.flatnonzero((jump > 1.1 * apart + 1e-4 * parts.cam.a) & (apart > 4.0 * SHORTEST))
-        before, after = _bisected(parts, right[:, wide], left[:, wide + 1])
-        kink = after[3] - before[3] > 1e-4 * parts.cam.a  # else the contact runs fast along a hollow
+        before, after = _bisect_kink(parts, right[:, wide], left[:, wide + 1])
+        kink = after[3] - before[3] > 1e-4 * parts.cam.a  # otherwise the contact moves fast along a hollow
         if not kink.any():
             break
         left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
         right = np.insert(right, wide[kink] + 1, after[:, kink], axis=1)
-    left, right = _followed(parts, left, right, tolerance)
+    left, right = _refine(parts, left, right, tolerance)
     again = np.diff(left[0]) < SHORTEST  # a kink at a node
     left, right = left[:, np.append(True, ~again)], right[:, np.append(~again, True)]
     left[0, 0], left[0, -1] = nodes[0], nodes[-1]
     return left[0], (left[1], left[2]), (right[1], right[2])
 
 
-def _followed(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple[Array, Array]:
+def _refine(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple[Array, Array]:
     """Add nodes where a cubic is farther than the tolerance (m) from the cam's height inside it."""
     unsure = np.ones(left.shape[1] - 1, dtype=bool)
     for _ in range(8):
         which = np.flatnonzero(unsure)
         begin, end = right[:, which], left[:, which + 1]
-        (inside, error), other = (_error(parts, begin, end, share) for share in _SHARES)
-        inside, error = np.where(other[1] > error, other[0], inside), np.maximum(other[1], error)
+        (point, error), second = (_error(parts, begin, end, share) for share in _SHARES)
+        point, error = np.where(second[1] > error, second[0], point), np.maximum(second[1], error)
         off = (error > tolerance) & (end[0] - begin[0] > 1e3 * SHORTEST)
         if not off.any():
             break
-        left = np.insert(left, which[off] + 1, inside[:, off], axis=1)
-        right = np.insert(right, which[off] + 1, inside[:, off], axis=1)
+        left = np.insert(left, which[off] + 1, point[:, off], axis=1)
+        right = np.insert(right, which[off] + 1, point[:, off], axis=1)
         unsure = np.zeros(left.shape[1] - 1, dtype=bool)
         added = which[off] + np.arange(int(off.sum()))
         unsure[added] = unsure[added + 1] = True
@@ -507,8 +507,8 @@ def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array
     span = end[0] - begin[0]
     x = begin[0] + share * span
     height, at = parts.contact(x)
-    missed = _cubic(span, (begin[1], begin[2]), (end[1], end[2]), share) - height
-    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(missed)
+    difference = _cubic(span, (begin[1], begin[2]), (end[1], end[2]), share) - height
+    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(difference)
 
 
 def _cubic(span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], share: float) -> Array:
@@ -518,8 +518,8 @@ def _cubic(span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], sh
     return np.asarray(begin[0] + rise + lean)
 
 
-def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:
-    """Rows x, height, slope and contact on either side of the largest jump of the contact between two nodes."""
+def _bisect_kink(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:
+    """Bisect for the largest jump of the contact between two nodes; return x, height, slope, contact on either side."""
     begin, end = begin.copy(), end.copy()
     for _ in range(22):
         x = 0.5 * (begin[0] + end[0])
@@ -528,11 +528,11 @@ def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:
         later = end[3] - at > at - begin[3]
         begin = np.where(later, middle, begin)
         end = np.where(later, end, middle)
-    return _crossing(begin, end)
+    return _move_to_crossing(begin, end)
 
 
-def _crossing(begin: Array, end: Array) -> tuple[Array, Array]:
-    """Move both sides of a kink, which are very near, to the place where their tangents meet."""
+def _move_to_crossing(begin: Array, end: Array) -> tuple[Array, Array]:
+    """Move both sides of a kink, which are close together, to the intersection of their tangents."""
     turn = begin[2] - end[2]
     gap = end[1] - end[2] * (end[0] - begin[0]) - begin[1]
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -553,7 +553,7 @@ def _borders(places: list[Array], low: float, high: float) -> Array:
     return np.concatenate([[low], distinct, [high]])
 
 
-def _refined(borders: Array, longest: Array) -> Array:
+def _subdivide(borders: Array, longest: Array) -> Array:
     """Cut the intervals between borders into equal parts of at most ``longest`` (m), one value or one for each."""
     span = np.diff(borders)
     count = np.maximum(np.ceil(span / np.broadcast_to(longest, span.shape) - 1e-9), 1.0).astype(np.int64)
@@ -586,8 +586,8 @@ def _disc(t: Array, radius: Array) -> Array:
     return np.asarray(0.5 * radius**2 * (share * np.sqrt(1.0 - share**2) + np.arcsin(share)))
 
 
-def _joined(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array]) -> Segments:
-    """Cubics between borders with heights and slopes at their ends; lines that go on are one piece."""
+def _join(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array]) -> Segments:
+    """Join cubics with these heights and slopes at the borders; collinear lines become one piece."""
     pieces = hermite_pieces(borders, left[0], right[0], left[1], right[1])
     c, span = pieces.coefficients, np.diff(borders)
     bend = np.maximum(np.abs(c[:, 2]) * span**2, np.abs(c[:, 3]) * span**3) > 1e-13

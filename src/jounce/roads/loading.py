@@ -80,7 +80,7 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
         return Crg(file=file)
     if suffix == ".toml":
         table, text = read_toml(file)
-        return _Reader({}, str(file), text, file.parent).road(_without_schema(table, str(file)), ())
+        return _Reader({}, str(file), text, file.parent).build(_without_schema(table, str(file)), ())
     if suffix in _SUFFIXES:
         return Table(file=file)
     raise DescriptionError("not a road file", where=str(file), found=suffix, allowed=", ".join(_SUFFIXES))
@@ -127,7 +127,7 @@ def read_roads(
     0.46
     """
     reader = _Reader(tables, where, text, Path(folder), path)
-    return {name: reader.named(name, ()) for name in tables}
+    return {name: reader.build_named(name, ()) for name in tables}
 
 
 def class_and_seed(text: str) -> tuple[str, int | None]:
@@ -161,9 +161,9 @@ def _of_class(text: str, length: float | None) -> Iso8608:
 
 
 def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
-    found = table.get("schema", SCHEMA)
-    if found != SCHEMA:
-        raise DescriptionError("not a road file", where=where, found=found, allowed=f'schema = "{SCHEMA}", or none')
+    schema = table.get("schema", SCHEMA)
+    if schema != SCHEMA:
+        raise DescriptionError("not a road file", where=where, found=schema, allowed=f'schema = "{SCHEMA}", or none')
     return {key: value for key, value in table.items() if key != "schema"}
 
 
@@ -176,7 +176,7 @@ class _Reader:
         self.tables, self.where, self.text, self.folder, self.above = tables, where, text, folder, above
         self.built: dict[str, Road] = {}
 
-    def named(self, name: str, asked_by: tuple[str, ...]) -> Road:
+    def build_named(self, name: str, asked_by: tuple[str, ...]) -> Road:
         """Build the road of that name; ``asked_by`` are the names being built now."""
         if name in asked_by:
             circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
@@ -186,16 +186,16 @@ class _Reader:
                 hint="Break the circle.",
             )
         if name not in self.built:
-            self.built[name] = self.road(self.tables[name], (*self.above, name), (*asked_by, name))
+            self.built[name] = self.build(self.tables[name], (*self.above, name), (*asked_by, name))
         return self.built[name]
 
-    def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:
+    def build(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:
         """Build the road of the table at ``path``."""
-        resolved = self._resolved(table, path, asked_by)
+        resolved = self._resolve(table, path, asked_by)
         kind: type[Road] = ROADS[resolved["kind"]]
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
-    def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
+    def _resolve(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
         """Return the table with its kind checked, a named ``of`` built, and ``file`` relative to the right folder."""
         if not isinstance(table, dict):
             place = self._place(path)
@@ -215,7 +215,7 @@ class _Reader:
 
     def _obstacle(self, of: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> Any:
         if isinstance(of, dict):
-            return self._resolved(of, path, asked_by)
+            return self._resolve(of, path, asked_by)
         if not isinstance(of, str):
             raise DescriptionError(
                 "not a road", where=self._place(path), found=of, allowed='the name of a road, or {kind = "...", ...}'
@@ -229,7 +229,7 @@ class _Reader:
                     allowed='of = {kind = "...", ...}',
                 )
             raise unknown(of, self.tables, what="road", where=self._place(path))
-        return self.named(of, asked_by)
+        return self.build_named(of, asked_by)
 
     def _place(self, path: tuple[str, ...]) -> str:
         line = line_of(self.text, path) if self.text else None

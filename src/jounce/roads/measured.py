@@ -21,7 +21,7 @@ from jounce.core.samples import Listed
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, Unit
-from jounce.roads.profile import Profile, cubic_profile, laid_out, linear_profile, periodic_places
+from jounce.roads.profile import Profile, cubic_profile, lay_out, linear_profile, periodic_places
 from jounce.roads.road import SampledRoad
 
 Interpolation = Literal["linear", "cubic"]
@@ -154,7 +154,7 @@ class Crg(SampledRoad):
         if course.beyond in ("keep", "nothing"):
             return super()._between(low, high)
         places = periodic_places(self.start, course.profile.span, low, high)
-        return laid_out(course.profile, places, low, high)
+        return lay_out(course.profile, places, low, high)
 
 
 def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str) -> None:
@@ -321,7 +321,7 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
 
 
 def read_course(path: Path | str, lateral_offset: float = 0.0) -> CrgCourse:
-    """Read the path at one lateral offset in m, with what the options of the file say of its ends."""
+    """Read the path at one lateral offset in m, with its ends as the options of the file define them."""
     file = existing_file(path, RecordingError)
     return _course(str(file), float(lateral_offset), state_of(file))
 
@@ -333,13 +333,13 @@ def _course(file: str, offset: float, _state: State) -> CrgCourse:
     _check_heights(road, height, offset, file)
     s = np.concatenate([[0.0], np.cumsum(_steps(road, offset, file))])
     mode = int(road.get_option("border_mode_u"))
-    profile, beyond = _smoothed(road, s, height, file), _BEYOND[mode]
+    profile, beyond = _smooth(road, s, height, file), _BEYOND[mode]
     if int(road.get_option("refline_continuation")) == 1:
         link = _link(road, offset, file)
         if link is not None:
-            return CrgCourse(s, height, _closed(profile, link, _levels(road, profile)), "closed")
+            return CrgCourse(s, height, _close(profile, link, _levels(road, profile)), "closed")
     if beyond == "reflect":
-        profile = _with_mirror(profile)
+        profile = _add_mirror(profile)
     elif beyond == "keep":
         before, after = _levels(road, profile)
         profile = Profile(profile.edges, profile.kind, profile.coefficients, before, after)
@@ -347,7 +347,7 @@ def _course(file: str, offset: float, _state: State) -> CrgCourse:
 
 
 def _read(file: str) -> Any:
-    """Read and check; wherever the reader would guess, the file is refused."""
+    """Read and check a file; refuse it wherever the reader would have to guess."""
     import pyopencrg
 
     try:
@@ -435,7 +435,7 @@ def _grid_height(road: Any, offset: float) -> Array:
 
 
 def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
-    """Refuse gaps, and numbers that no survey yields."""
+    """Refuse gaps and implausible heights."""
     grid = np.abs(np.asarray(road.z, dtype=float))
     damage = ""
     if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
@@ -475,8 +475,8 @@ def _steps(road: Any, offset: float, file: str) -> Array:
     return np.asarray(np.hypot(np.diff(x), np.diff(y)))
 
 
-def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
-    """Lines between the cross sections; smoothed ends blend into the level of the reference line."""
+def _smooth(road: Any, s: Array, height: Array, file: str) -> Profile:
+    """Join the cross sections by lines; blend smoothed ends into the level of the reference line."""
     first, last = (float(road.get_option(f"border_smooth_{end}")) for end in ("ubeg", "uend"))
     if first <= 0.0 and last <= 0.0:
         return linear_profile(s, height)
@@ -507,7 +507,7 @@ def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
 
 
 def _levels(road: Any, profile: Profile) -> tuple[float, float]:
-    """Heights in m before and after the course: its own ones, or zero, with an offset, or those it is smoothed to."""
+    """Heights in m before and after the course: those of its ends, zero, either with an offset, or smoothed ones."""
     smooth = [float(road.get_option(f"border_smooth_{end}")) > 0.0 for end in ("ubeg", "uend")]
     keeps = int(road.get_option("border_mode_u")) != 1
     offset = float(road.get_option("border_offset_u"))
@@ -516,7 +516,7 @@ def _levels(road: Any, profile: Profile) -> tuple[float, float]:
     return before, after
 
 
-def _with_mirror(profile: Profile) -> Profile:
+def _add_mirror(profile: Profile) -> Profile:
     """Add the mirror image of a profile of lines and polynomials behind it."""
     span = np.diff(profile.edges)[::-1]
     c = profile.coefficients[::-1]
@@ -561,7 +561,7 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
     return max(after, 0.0), max(before, 0.0)
 
 
-def _closed(profile: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
+def _close(profile: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
     """Add the link after the course: level at the height of its end, then of its start."""
     lines = [(length, level) for length, level in zip(link, reversed(levels), strict=True) if length > _EDGE]
     edges = np.concatenate([profile.edges, profile.edges[-1] + np.cumsum([length for length, _ in lines])])

@@ -15,7 +15,7 @@ from jounce.core.misplaced import misplaced
 from jounce.core.phrases import Phrase
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Height, NonNegativeLength, PositiveHeight, PositiveLength
-from jounce.roads.profile import Piece, Profile, profile, repeated
+from jounce.roads.profile import Piece, Profile, profile, repeat
 from jounce.roads.road import Road, RoadOf
 
 
@@ -395,7 +395,7 @@ class Train(RoadOf):
 
     def profile(self) -> Profile:
         """Pieces of the whole train."""
-        return repeated(self.of.profile(), self.count, self.pitch)
+        return repeat(self.of.profile(), self.count, self.pitch)
 
     def known_length(self) -> float:
         """Distance in m up to which it is known: infinite if what it repeats is."""

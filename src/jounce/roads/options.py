@@ -45,7 +45,7 @@ def chosen_trial(
     DescriptionError
         For neither or both of a road and an excitation, a road without speed or duration, and values out of range.
     """
-    given = _given(road, speed, duration, excitation, right_road)
+    given = _check_options(road, speed, duration, excitation, right_road)
     loads = {
         "pitch_moment": pitch_moment,
         "deceleration": deceleration,
@@ -59,10 +59,10 @@ def chosen_trial(
     return Trial(**{name: load_road(text, length=driven) for name, text in roads.items() if text is not None}, **given)
 
 
-def _given(
+def _check_options(
     road: str | None, speed: float | None, duration: float | None, excitation: str | None, right_road: str | None
 ) -> dict[str, Any]:
-    """Check that the options fit together; return speed and duration."""
+    """Check that the options fit together; return those given of speed and duration."""
     if (road is None) == (excitation is None):
         raise DescriptionError(
             "either a road or an excitation is needed" if road is None else "both a road and an excitation are given",
@@ -104,7 +104,7 @@ def trial_in_python(**options: Any) -> str:
     "jn.Trial(road=jn.HalfSine(height='10 mm', length='1 m'), speed=1.95, duration=3.0)"
     """
     known = ("road", "speed", "duration", "excitation", "right_road")
-    given = _given(*(options.get(name) for name in known))
+    given = _check_options(*(options.get(name) for name in known))
     written = []
     for name, key in (("road", "road"), ("right_road", "right")):
         if name in options:

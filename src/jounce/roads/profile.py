@@ -95,18 +95,18 @@ def hermite_pieces(x: Array, left: Array, right: Array, left_slope: Array, right
     return Profile(edges, np.zeros(len(span), dtype=np.int64), coefficients, float(left[0]), float(right[-1]))
 
 
-def repeated(profile: Profile, count: int, pitch: float) -> Profile:
-    """Lay ``count`` profiles with ``pitch`` in m from start to start, each at the level where the last one ended."""
+def repeat(profile: Profile, count: int, pitch: float) -> Profile:
+    """Repeat a profile with ``pitch`` in m from start to start, each at the level where the last one ended."""
     if count == 1:
         return profile
     rise = profile.after - profile.before
     places = [(k * pitch, k * rise) for k in range(count)]
-    laid = laid_out(profile, places, float(profile.edges[0]), (count - 1) * pitch + float(profile.edges[-1]))
+    laid = lay_out(profile, places, float(profile.edges[0]), (count - 1) * pitch + float(profile.edges[-1]))
     return Profile(laid.edges, laid.kind, laid.coefficients, profile.before, profile.after + (count - 1) * rise)
 
 
-def laid_out(profile: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
-    """Heights over [``low``, ``high``] (m or s) of the profile laid at ascending ``places``.
+def lay_out(profile: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
+    """Lay a profile at ascending ``places``; return the heights over [``low``, ``high``] (m or s).
 
     A place is the position of the profile's coordinate 0, and its rise in m. Level pieces fill the gaps; the
     level before the first place is the profile's own.
@@ -141,26 +141,26 @@ def laid_out(profile: Profile, places: Iterable[tuple[float, float]], low: float
         if len(starts) == 1
         else (np.concatenate(starts), np.concatenate(kinds), np.concatenate(coefficients))
     )
-    return _windowed(*parts, low, high)
+    return _cut(*parts, low, high)
 
 
 def _rounding(x: float) -> float:
     return SHORTEST * max(1.0, abs(x))
 
 
-def _windowed(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float) -> Segments:
+def _cut(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float) -> Segments:
     """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
     first = max(int(np.searchsorted(starts, low + _rounding(low), side="right")) - 1, 0)
     last = max(int(np.searchsorted(starts, high - _rounding(high), side="left")), first + 1)
     starts, kind, coefficients = starts[first:last], kind[first:last], coefficients[first:last]
     if starts[0] != low:
         coefficients = coefficients.copy()
-        coefficients[0] = _advanced(int(kind[0]), coefficients[0], low - float(starts[0]))
+        coefficients[0] = _advance(int(kind[0]), coefficients[0], low - float(starts[0]))
     return Segments(np.concatenate([[low], starts[1:], [high]]), kind, coefficients)
 
 
-def _advanced(kind: int, c: Array, by: float) -> Array:
-    """Coefficients of the same curve with the local coordinate's zero moved forward by ``by``."""
+def _advance(kind: int, c: Array, by: float) -> Array:
+    """Move the zero of a piece's local coordinate forward by ``by``; return the coefficients of the same curve."""
     if kind == SINE:
         return np.array([c[0], c[1], c[2], c[3] + c[2] * by])
     if kind == CIRCLE:

@@ -18,7 +18,7 @@ from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength, as_number
-from jounce.roads.profile import SHORTEST, Profile, laid_out, passes
+from jounce.roads.profile import SHORTEST, Profile, lay_out, passes
 
 LEVEL = 1e-6  # m; the ends of a closed belt loop agree within it
 
@@ -51,7 +51,7 @@ class Road(Description, ABC):
         """Raise ValueError when the fields contradict each other."""
 
     @model_validator(mode="after")
-    def _checked(self) -> Self:
+    def _check_fields(self) -> Self:
         self.check()
         if self.recurrence is not None:
             _check_recurrence(self.profile(), self.recurrence)
@@ -105,7 +105,7 @@ class Road(Description, ABC):
         >>> float(HalfSine(height="10 mm", length="60 mm").height_at(0.03))
         0.01
         """
-        return self._evaluated(x)[0]
+        return self._evaluate(x)[0]
 
     def slope_at(self, x: ArrayLike) -> Array:
         """Slope dh/dx (1) at the distances ``x`` in m, any shape; at an edge, that of the piece behind it.
@@ -118,7 +118,7 @@ class Road(Description, ABC):
         >>> Triangle(height="10 mm", length="0.2 m").slope_at([0.05, 0.15]).round(9).tolist()
         [0.1, -0.1]
         """
-        return self._evaluated(x)[1]
+        return self._evaluate(x)[1]
 
     def end(self) -> float:
         """Distance in m at which the obstacle (of a train, the last one) ends on its first pass.
@@ -200,9 +200,9 @@ class Road(Description, ABC):
             )
 
     def _between(self, low: float, high: float) -> Segments:
-        return laid_out(self.profile(), passes(self.start, self.recurrence, high), low, high)
+        return lay_out(self.profile(), passes(self.start, self.recurrence, high), low, high)
 
-    def _evaluated(self, x: ArrayLike) -> tuple[Array, Array]:
+    def _evaluate(self, x: ArrayLike) -> tuple[Array, Array]:
         at = as_samples(x, "m", where="x", error=DescriptionError)
         if not np.isfinite(at).all():
             raise DescriptionError("not a distance", found="NaN or infinity", allowed="finite distances in m")

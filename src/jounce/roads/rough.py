@@ -18,7 +18,7 @@ from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit, as_number
-from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile, periodic_places
+from jounce.roads.profile import Profile, hermite_profile, lay_out, linear_profile, periodic_places
 from jounce.roads.road import Road, SampledRoad
 
 RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
@@ -255,7 +255,7 @@ class Iso8608(SampledRoad):
 
     def points(self) -> tuple[Array, Array]:
         """Points of the road: distance from ``start`` and height, both in m, each of shape (n + 1,)."""
-        x, height, _ = self._sampled()
+        x, height, _ = self._sample()
         return x, height
 
     def profile(self) -> Profile:
@@ -275,8 +275,8 @@ class Iso8608(SampledRoad):
         spectrum = (self.degree_of_roughness, self.waviness, self.band)
         return spectrum, self.length, self.step, self.seed, self.fade, coherence, self.interpolation
 
-    def _sampled(self) -> tuple[Array, Array, Array | None]:
-        return _sampled(*self._key())
+    def _sample(self) -> tuple[Array, Array, Array | None]:
+        return _sample(*self._key())
 
 
 def _points(length: float, step: float) -> int:
@@ -313,7 +313,7 @@ def _track_spread(
     return np.asarray(np.sqrt(-2.0 * np.log(np.clip(gamma, 1e-200, 1.0))))
 
 
-def _sampled(
+def _sample(
     spectrum: tuple[float, float, tuple[float, float]],
     length: float,
     step: float,
@@ -381,7 +381,7 @@ def _fade(x: Array, length: float, fade: float) -> tuple[Array, Array]:
 
 @lru_cache(maxsize=4)  # 10 km at 1 cm are 48 MB
 def _iso_profile(*key: Any) -> Profile:
-    x, height, slope = _sampled(*key)
+    x, height, slope = _sample(*key)
     return linear_profile(x, height) if slope is None else hermite_profile(x, height, slope)
 
 
@@ -461,7 +461,7 @@ class SineSum(Road):
         return _one_roughness(self.class_, self.roughness)
 
     def _between(self, low: float, high: float) -> Segments:
-        return laid_out(self.profile(), periodic_places(self.start, self.period(), low, high), low, high)
+        return lay_out(self.profile(), periodic_places(self.start, self.period(), low, high), low, high)
 
 
 @lru_cache(maxsize=8)

@@ -37,7 +37,7 @@ from jounce.roads.measured import (
     point_profile,
 )
 from jounce.roads.obstacles import HalfSine, Train, Versine
-from jounce.roads.profile import Profile, laid_out
+from jounce.roads.profile import Profile, lay_out
 from jounce.roads.road import Road, SampledRoad
 from jounce.roads.rough import Iso8608
 
@@ -72,7 +72,7 @@ class Load(Description):
         return {"value": table} if isinstance(table, (str, int, float)) and not isinstance(table, bool) else table
 
     @model_validator(mode="after")
-    def _one_form(self) -> Self:
+    def _check_form(self) -> Self:
         if (self.value is None) == (not self.time):
             raise ValueError("give either value (with start and ramp), or time and values")
         if self.time and (self.start or self.ramp):
@@ -173,7 +173,7 @@ class Excitation(RecordingFormat):
     datum: ExcitationDatum = "undeformed"
 
     @model_validator(mode="after")
-    def _checked(self) -> Self:
+    def _check_fields(self) -> Self:
         if self.file is None and (self.time or self.height) and len(self.time) < FEWEST_SAMPLES:
             raise ValueError(f"{len(self.time)} samples; an excitation needs at least {FEWEST_SAMPLES}")
         check_source(self.file, {"time": self.time, "height": self.height}, self.interpolation)
@@ -197,13 +197,13 @@ class Excitation(RecordingFormat):
             return point_profile(self.time, self.height, self.interpolation)
         if self._is_plain():
             return file_profile(self.file, {"time": "s", "road.z": "m"}, self.interpolation, FEWEST_SAMPLES)
-        return self._recorded(self.file)[0]
+        return self._read_recording(self.file)[0]
 
     def findings(self) -> list[Finding]:
         """Findings of the file's reader, and a start so far from zero that another zero is likely."""
         if self.file is None:
             return []
-        result = [] if self._is_plain() else list(self._recorded(self.file)[1])
+        result = [] if self._is_plain() else list(self._read_recording(self.file)[1])
         profile = self.profile()
         heights = np.array([*profile.coefficients[:, 0], profile.after])
         if abs(profile.before) > np.ptp(heights):
@@ -222,9 +222,9 @@ class Excitation(RecordingFormat):
         """Options for reading its file."""
         return sorted(name for name in _KEYS if getattr(self, name) not in ({}, "", None))
 
-    def _recorded(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
+    def _read_recording(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
         state = state_of(existing_file(file, RecordingError))
-        return _recorded(file, self.model_dump_json(include=_KEYS), self.interpolation, state)
+        return _read_recording(file, self.model_dump_json(include=_KEYS), self.interpolation, state)
 
     def end(self) -> float:
         """Time of the last sample in s."""
@@ -232,10 +232,10 @@ class Excitation(RecordingFormat):
 
 
 @lru_cache(maxsize=16)
-def _recorded(
+def _read_recording(
     file: Path, keys: str, interpolation: Interpolation, _state: State
 ) -> tuple[Profile, tuple[Finding, ...]]:
-    """Pieces through the heights of a recording, with what its reader found."""
+    """Read the heights of a recording as pieces, with the findings of its reader."""
     time, height, findings = RecordingFormat.model_validate_json(keys).signal(file, Path(), "road.z")
     if len(time) < FEWEST_SAMPLES:
         raise RecordingError("too few samples", where=str(file), found=len(time), allowed=f"at least {FEWEST_SAMPLES}")
@@ -267,7 +267,7 @@ class ActuatorForce(Description):
     interpolation: Interpolation = "cubic"
 
     @model_validator(mode="after")
-    def _checked(self) -> Self:
+    def _check_fields(self) -> Self:
         if len(self.time) < FEWEST_SAMPLES:
             raise ValueError(f"{len(self.time)} samples; an actuator force needs at least {FEWEST_SAMPLES}")
         check_source(None, {"time": self.time, "force": self.force}, self.interpolation)
@@ -275,7 +275,7 @@ class ActuatorForce(Description):
 
     def segments(self, duration: float) -> Segments:
         """Return the force (N) over [0, ``duration``] (s) as pieces."""
-        return laid_out(point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration)
+        return lay_out(point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration)
 
 
 def _from_file(value: object) -> object:
@@ -307,7 +307,7 @@ class SpeedOverTime(Description):
     speed: Annotated[tuple[PositiveSpeed, ...], Listed]
 
     @model_validator(mode="after")
-    def _in_step(self) -> Self:
+    def _check_points(self) -> Self:
         if len(self.time) != len(self.speed) or len(self.time) < 2:
             raise ValueError(
                 f"time has {len(self.time)} numbers and speed has {len(self.speed)}; give as many, at least 2"
@@ -386,7 +386,7 @@ class Trial(Description):
     actuator_force: ActuatorForce | None = None
 
     @model_validator(mode="after")
-    def _checked(self) -> Self:
+    def _check_fields(self) -> Self:
         if (self.road is None) == (self.excitation is None):
             given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
             raise misplaced((), f"{given} given", allowed="road and speed, or excitation")
@@ -455,14 +455,14 @@ class Trial(Description):
         """
         cached = _pieces_of(self)
         if cached is None:
-            return self._laid_out(behind, side)
+            return self._lay_out(behind, side)
         if (behind, side) not in cached:
             if len(cached) >= _MOST_WHEELS:
                 cached.clear()
-            cached[behind, side] = self._laid_out(behind, side)
+            cached[behind, side] = self._lay_out(behind, side)
         return cached[behind, side]
 
-    def _laid_out(self, behind: float, side: int) -> Segments:
+    def _lay_out(self, behind: float, side: int) -> Segments:
         road = self.right if self.right is not None and side < 0 else self.road
         if road is not None and self.speed is not None:
             driven = road.segments(self.speed * self.duration, behind)
@@ -471,7 +471,7 @@ class Trial(Description):
             return driven.in_time_along(*self.speeds.travelled(self.duration))
         if self.excitation is None:
             raise AssertionError("a trial has a road or an excitation")
-        return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
+        return lay_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
 
     def load(self, name: str) -> Segments:
         """Return one of the manoeuvre loads over [0, ``duration``] (s), zero where the trial has none."""
@@ -546,7 +546,7 @@ _AS_FAR = 0.05
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
-def _left_out_in_bends(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+def _check_side_forces(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     """Report loads that a lumped car does not transfer."""
     if trial.lateral_acceleration is not None and isinstance(rig, FullCar):
         yield finding("roads.side_forces_left_out", "trial: lateral_acceleration")
@@ -578,27 +578,27 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
     result = [
-        *_loads(trial),
-        *_left_out_in_bends(trial, rig),
+        *_check_loads(trial),
+        *_check_side_forces(trial, rig),
         *(trial.excitation.findings() if trial.excitation is not None else ()),
     ]
     if trial.speed is not None:
         result += unit_question("trial: speed", Unit("m/s"), trial.speed)
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:
-                result += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
-        result += _rear(trial, behind)
+                result += _check_road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
+        result += _check_rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
             result.append(finding("roads.jump_through_dampers", "trial: road"))
-        result += _blows(trial, rig)
+        result += _check_blows(trial, rig)
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
             result.append(finding("roads.same_track", "trial: road"))
-        result += _apart(trial, rig)
+        result += _check_tracks(trial, rig)
     return result
 
 
-def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Report tracks of a road with another distance than the wheels: their coherence determines roll."""
+def _check_tracks(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+    """Report road tracks whose distance differs from that of the wheels: their coherence determines roll."""
     wide = track_width(rig)
     for name, road in (("road", trial.road), ("right", trial.right)):
         if not wide or not isinstance(road, Iso8608) or road.side != "right":
@@ -608,24 +608,24 @@ def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:
-    """Sizes of obstacles and waves that no road has; measured roads are what they are."""
+    """Report implausible sizes of obstacles and waves; measured roads are not questioned."""
     if isinstance(road, SampledRoad):
         return []
     start = f"{place}: " if place else ""
-    found = [at_place(f"{start}{item.place}", item) for item in questions(road)]
+    findings = [at_place(f"{start}{item.place}", item) for item in questions(road)]
     while isinstance(road, Train):
         road = road.of
     if isinstance(road, (HalfSine, Versine)) and abs(road.height) > _STEEPEST * road.length:
         numbers = {"height": road.height, "length": road.length}
-        found.append(finding("roads.higher_than_long", f"{start}height", road.height, **numbers))
-    return found
+        findings.append(finding("roads.higher_than_long", f"{start}height", road.height, **numbers))
+    return findings
 
 
 _STEEPEST = 1.0
 """Height over length of a rounded obstacle, above which a wheel meets a step: one of the two has a slip in its unit."""
 
 
-def _road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
+def _check_road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
     yield from road_findings(road, place)
     driven = speed * duration
     if road.start >= driven:
@@ -650,7 +650,7 @@ def _road(road: Road, speed: float, duration: float, place: str, output_step: fl
         yield finding("roads.output_coarse", place, span / speed, duration=span / speed, output_step=output_step)
 
 
-def _rear(trial: Trial, behind: float) -> Iterator[Finding]:
+def _check_rear(trial: Trial, behind: float) -> Iterator[Finding]:
     road, speed = trial.road, trial.speed
     if road is None or speed is None or behind == 0.0:
         return
@@ -659,7 +659,7 @@ def _rear(trial: Trial, behind: float) -> Iterator[Finding]:
         yield finding("roads.rear_after_run", "trial: duration", trial.duration, wheelbase=behind)
 
 
-def _loads(trial: Trial) -> Iterator[Finding]:
+def _check_loads(trial: Trial) -> Iterator[Finding]:
     for name in trial.loads:
         load = trial.load(name)
         heights = load.evaluate(np.linspace(0.0, trial.duration, 2 * len(load.edges) + 1))[0]
@@ -668,7 +668,7 @@ def _loads(trial: Trial) -> Iterator[Finding]:
             yield finding("roads.load_after_run", f"trial: {name}", trial.duration, duration=trial.duration)
 
 
-def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+def _check_blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     """Report the impulse of a damped tyre on a road that rises vertically; where it falls, the tyre lifts off."""
     numbers = {} if rig is None else rig.parameters()
     damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)

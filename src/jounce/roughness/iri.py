@@ -150,7 +150,7 @@ def iri(
     x = as_samples(distance, "m", where=f"{place}: distance")
     z = as_samples(height, "m", where=f"{place}: height")
     length, start_length = to_si(segment, "m", where="segment"), to_si(run_up, "m", where="run_up")
-    spacing = _checked_spacing(x, z, place)
+    spacing = _check_spacing(x, z, place)
     samples = base_samples(spacing)
     base = samples * spacing
     _check_lengths(x, spacing, base, length, start_length, place)
@@ -251,7 +251,7 @@ def _segments(
     )
 
 
-def _checked_spacing(x: Array, z: Array, place: str) -> float:
+def _check_spacing(x: Array, z: Array, place: str) -> float:
     """Refuse distances and heights that are not a profile; return the sample spacing, m."""
     if x.ndim != 1 or x.shape != z.shape:
         problem = "distance and height are not two columns of the same length"

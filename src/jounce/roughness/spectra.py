@@ -189,12 +189,12 @@ def estimate_roughness(
     >>> spectrum.road_class, round(spectrum.waviness, 1)
     ('D', 2.0)
     """
-    step, z = _checked(x, height)
+    step, z = _check_profile(x, height)
     waviness = None if waviness is None else as_number(waviness, "1", where="waviness")
     band = (as_number(band[0], "1/m", where="band[0]"), as_number(band[1], "1/m", where="band[1]"))
     n, psd, averages = _welch(step, z, band[0])
     low, high = max(band[0], n[0]), min(band[1], 0.4 / step)
-    centre, level, weight = _banded(n, psd, (low, high), averages)
+    centre, level, weight = _average_bands(n, psd, (low, high), averages)
     if len(centre) < 2 * _PER_OCTAVE:
         raise RecordingError(
             "the profile is too short or too coarse for its roughness",
@@ -215,7 +215,7 @@ def estimate_roughness(
     )
 
 
-def _checked(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
+def _check_profile(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
     at, z = as_samples(x, "m", where="x"), as_samples(height, "m", where="height")
     if at.ndim != 1 or at.shape != z.shape or len(at) < 16:
         raise RecordingError(
@@ -245,8 +245,8 @@ def _welch(step: float, z: Array, low: float) -> tuple[Array, Array, float]:
     return n, slope_psd / (2.0 * np.sin(np.pi * n * step) / step) ** 2, (len(z) - 1) / segment
 
 
-def _banded(n: Array, psd: Array, band: tuple[float, float], averages: float) -> tuple[Array, Array, Array]:
-    """Mean level (log10 m^3) in bands of a third of an octave, and the weight of each (1)."""
+def _average_bands(n: Array, psd: Array, band: tuple[float, float], averages: float) -> tuple[Array, Array, Array]:
+    """Average the level (log10 m^3) in bands of a third of an octave; return also the weight of each (1)."""
     low, high = band[0], band[1] - n[0]  # the window smears the end of the band over two lines
     count = int(np.ceil(_PER_OCTAVE * np.log2(high / low) - 1e-9)) if high > low else 0
     borders = low * 2.0 ** (np.arange(count + 1) / _PER_OCTAVE)

@@ -21,7 +21,7 @@ from jounce.roads import (
     contact_length,
     read_roads,
 )
-from jounce.roads.enveloping import _area, _crossing, _cubic, _curvature
+from jounce.roads.enveloping import _area, _cubic, _curvature, _move_to_crossing
 
 CLEAT = Rectangle(height="20 mm", length="40 mm", start="1 m")
 METHODS = [
@@ -153,7 +153,7 @@ def test_kinks_lie_where_tangents_meet() -> None:
     """Rows x, height, slope and contact of three kinks: one within, one beyond the end, one that is none."""
     begin = np.array([[1.0, 1.0, 3.0], [0.2, 0.2, 0.5], [0.3, 0.3, 0.1], [0.9, 0.9, 2.9]])
     end = np.array([[1.1, 1.1, 3.2], [0.215, 0.24, 0.52], [-0.2, -0.2, 0.1], [1.2, 1.2, 3.3]])
-    before, after = _crossing(begin, end)
+    before, after = _move_to_crossing(begin, end)
     x = 1.0 + (0.215 + 0.2 * 0.1 - 0.2) / 0.5
     np.testing.assert_allclose(before[0], [x, 1.1, 3.1])
     np.testing.assert_array_equal(after[0], before[0])

@@ -10,7 +10,7 @@ import pytest
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.segments import Segments
 from jounce.roads import Crg, read_crg_profile, road_library
-from jounce.roads.measured import _with_mirror
+from jounce.roads.measured import _add_mirror
 from jounce.roads.profile import hermite_profile
 
 FILES = Path(__file__).parents[2] / "files" / "road_crg"
@@ -174,7 +174,7 @@ def test_a_smoothed_course_is_mirrored_with_its_slopes(tmp_path) -> None:
     np.testing.assert_allclose(mirrored, height, rtol=0, atol=1e-12)
     np.testing.assert_allclose(falling, -slope, rtol=0, atol=1e-12)
     cubic = hermite_profile(np.array([0.0, 1.0, 3.0]), np.array([0.0, 0.2, -0.1]), np.array([0.3, -0.4, 0.5]))
-    both = _with_mirror(cubic)
+    both = _add_mirror(cubic)
     x = np.linspace(0.01, 2.99, 300)
     segments = Segments(both.edges, both.kind, both.coefficients)
     (height, slope), (mirrored, falling) = segments.evaluate(x), segments.evaluate(6.0 - x)

@@ -13,7 +13,7 @@ from jounce.parts import load
 from jounce.parts.vehicles import track_width
 from jounce.roads import HalfSine, Iso8608, Step, Table, Train, Trial
 from jounce.roads.measured import HIGHEST, _check_heights, check_source
-from jounce.roads.profile import _advanced, passes, periodic_places
+from jounce.roads.profile import _advance, passes, periodic_places
 from jounce.roads.trial import FASTEST, trial_findings
 
 BUMP = HalfSine(height="10 mm", length="60 mm", start="2 m")
@@ -189,7 +189,7 @@ def test_pieces_cut_at_their_front_keep_their_heights() -> None:
 
     for kind, c in ((POLYNOMIAL, [0.1, 0.2, -0.3, 0.4]), (SINE, [0.1, 0.2, 3.0, 0.4]), (CIRCLE, [-0.9, 1.1, 0.4, 1.0])):
         whole = Segments(np.array([0.0, 1.0]), np.array([kind]), np.array([c]))
-        cut = Segments(np.array([0.0, 0.7]), np.array([kind]), _advanced(kind, np.array(c), 0.3)[None, :])
+        cut = Segments(np.array([0.0, 0.7]), np.array([kind]), _advance(kind, np.array(c), 0.3)[None, :])
         at = np.linspace(0.01, 0.69, 9)
         for one, other in zip(cut.evaluate(at), whole.evaluate(at + 0.3), strict=True):
             np.testing.assert_allclose(one, other, rtol=1e-12)
