@@ -242,12 +242,12 @@ def test_threads_share_what_is_long(monkeypatch, long, alone):
     monkeypatch.setattr(module, "_LONG", long)
     taken, shared = [], []
     monkeypatch.setattr(module, "share", lambda items, _, workers: shared.append((list(items), workers)))
-    module._shared(range(7), taken.extend, 3)
+    module._share_out(range(7), taken.extend, 3)
     assert taken == list(range(alone))
     assert shared == ([([2, 3, 4, 5, 6], 3)] if alone == 2 else [])
-    module._shared(range(7), taken.extend, 1)
+    module._share_out(range(7), taken.extend, 1)
     assert taken[alone:] == list(range(7))
-    module._shared([], taken.extend, 0)
+    module._share_out([], taken.extend, 0)
 
 
 def test_over_circles_variants_step_side_by_side():

@@ -261,7 +261,7 @@ def test_workers_that_are_ended_again_and_again_are_told(monkeypatch) -> None:
         raise BrokenProcessPool
         yield
 
-    monkeypatch.setattr(workers, "_pooled", broken)
+    monkeypatch.setattr(workers, "_run_pool", broken)
     with pytest.raises(jn.JounceError, match="again and again; found '3 times in a row, 1 shards left'"):
         list(workers.on_processes(2, None, [workers.Task(0, 0, {}, "")]))
 

@@ -110,7 +110,7 @@ def test_no_variant_is_left_out_by_it(error):
         reasons: dict[int, str] = {}
 
     with pytest.raises(ResourceError):
-        many._TrialGroup._alone(None, Results(), 3, raising(error))
+        many._TrialGroup._run_alone(None, Results(), 3, raising(error))
     assert Results.reasons == {}
 
 

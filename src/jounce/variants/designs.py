@@ -128,7 +128,7 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
     >>> jn.grid({"sprung.mass": ["14 kg", "16 kg", "18 kg"], "strut.spring.rate": ["20 N/mm", "25 N/mm"]}).count
     6
     """
-    for path, given in _named(values).items():
+    for path, given in _check_paths(values).items():
         if not is_list(given):
             raise DescriptionError("not a list of values", where=path, found=given, allowed='e.g. ["14 kg", "16 kg"]')
     return Design("grid", dict(values), _count(math.prod(len(given) for given in values.values())))
@@ -269,7 +269,7 @@ def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -
     >>> jn.morris({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, 10).count
     30
     """
-    return _spread("morris", spreads, _count(trajectories) * (len(_named(spreads)) + 1), seed)
+    return _spread("morris", spreads, _count(trajectories) * (len(_check_paths(spreads)) + 1), seed)
 
 
 def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Design:
@@ -303,18 +303,18 @@ def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Des
     >>> jn.saltelli({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, 512).count
     2048
     """
-    return _spread("saltelli", spreads, _count(pairs) * (len(_named(spreads)) + 2), seed)
+    return _spread("saltelli", spreads, _count(pairs) * (len(_check_paths(spreads)) + 2), seed)
 
 
 def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) -> Design:
-    for path, spread in _named(spreads).items():
+    for path, spread in _check_paths(spreads).items():
         if not isinstance(spread, str | Mapping) and not is_list(spread):
             raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
     check_seed(seed)
     return Design(kind, dict(spreads), _count(count), int(seed))
 
 
-def _named(given: object) -> Mapping[str, Any]:
+def _check_paths(given: object) -> Mapping[str, Any]:
     if not isinstance(given, Mapping) or not given:
         raise DescriptionError("nothing to vary", where="variants", found=given, allowed="path of a number to values")
     return given

@@ -25,7 +25,7 @@ LEAST = 16  # runs from which compiling code for a few channels pays
 
 
 def are_worth_it(compiled: Compiled) -> bool:
-    """Whether channels are much of a run. Of mechanisms with loops they are little, and their code takes seconds."""
+    """Whether code for some channels pays: those of mechanisms with loops cost little, and their code takes seconds."""
     return bool(compiled.identity) and not compiled.facts.projects
 
 

@@ -15,19 +15,19 @@ _NUMBER = re.compile(r"(?<![\w.\[])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w\]])")
 
 
 class Tally:
-    """Counts findings that differ in their numbers only as one, under the first of them."""
+    """Counts findings that differ only in their numbers as one, under the first of them."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, ...], tuple[Finding, int]] = {}
 
     def add(self, findings: Iterable[Finding]) -> None:
-        """Add what was found of one variant."""
+        """Add the findings of one variant."""
         for item in {_kind(item): item for item in findings}.values():
             self._count(item, 1)
 
     def merge(self, attributes: Mapping[str, Any]) -> None:
-        """Add what the attributes of other results say."""
-        plain = {name: _listed(attributes[name]) for name in ("findings", COUNTS) if name in attributes}
+        """Add the findings in the attributes of other results."""
+        plain = {name: _as_list(attributes[name]) for name in ("findings", COUNTS) if name in attributes}
         items = findings_of(plain | {name: attributes[name] for name in (DATA,) if name in attributes})
         for item, count in zip(items, plain.get(COUNTS, []), strict=True):
             self._count(item, count)
@@ -37,7 +37,7 @@ class Tally:
         self._found[_kind(item)] = first, before + count
 
     def attributes(self) -> dict[str, Any]:
-        """Give the attributes; none where nothing was found."""
+        """Return the findings as attributes; none without findings."""
         if not self._found:
             return {}
         return {
@@ -46,20 +46,20 @@ class Tally:
         }
 
     def findings(self, ran: int) -> list[Finding]:
-        """Give findings that say of how many of the variants that ``ran`` each was found."""
+        """Return the findings, each with the number of variants that had it, of those that ``ran``."""
         return [
             finding("variants.of_many", item.place, count, severity=item.severity, count=count, ran=ran, found=item)
             for item, count in self._found.values()
         ]
 
 
-def _listed(value: Any) -> list[Any]:
-    """An attribute that is a list; files keep it as JSON."""
+def _as_list(value: Any) -> list[Any]:
+    """Read an attribute that is a list; files keep it as JSON."""
     return list(json.loads(value) if isinstance(value, str) else value)
 
 
 def _kind(item: Finding) -> tuple[str, ...]:
-    """What findings have in common that differ in their numbers only; those of names stay.
+    """Key that findings share if they differ only in their numbers; names in them count.
 
     >>> _kind(Finding("a2.fmu: F[1]", "warning", "of 0.52 J of its work 1.2e-05 J (3 %)"))
     ('a2.fmu: F[1]', 'warning', 'of # J of its work # J (# %)')

@@ -94,11 +94,11 @@ class VariantWork:
                 for group, own in pairs:
                     group.fill(results, columns, own, 1)
 
-            _shared(small, fill, workers)
+            _share_out(small, fill, workers)
         return results.dataset(self.design)
 
 
-def prepared(
+def read_request(
     rig: Rig,
     trial: Trial,
     variants: Variants,
@@ -125,7 +125,7 @@ def prepared(
 
 @dataclass(frozen=True)
 class _Frame:
-    """Parts of a result that do not depend on the runs; they are made while these are computed."""
+    """Parts of a result that do not depend on the runs; they are made during the runs."""
 
     study: VariantStudy
     columns: Mapping[str, Array]
@@ -138,13 +138,13 @@ class _Frame:
     @cached_property
     def axes(self) -> xr.Dataset:
         """Numbers of the variants."""
-        return _numbered(self.first, len(next(iter(self.columns.values()))))
+        return _variant_axis(self.first, len(next(iter(self.columns.values()))))
 
     @cached_property
     def beside(self) -> dict[str, xr.Variable]:
         """The numbers that vary."""
         study = self.study
-        return {path: _along_variants(column, study.number(path)[1], path) for path, column in self.columns.items()}
+        return {path: _variant_column(column, study.number(path)[1], path) for path, column in self.columns.items()}
 
     @cached_property
     def outside(self) -> int:
@@ -152,7 +152,7 @@ class _Frame:
         return self.study.outside(self.columns)
 
 
-def _along_variants(values: Array, unit: str, long_name: str) -> xr.Variable:
+def _variant_column(values: Array, unit: str, long_name: str) -> xr.Variable:
     import xarray as xr
 
     return xr.Variable(("variant",), values, {"units": unit, "long_name": long_name}, fastpath=True)
@@ -199,7 +199,7 @@ class _Results:
         study, axes = self.frame.study, self.frame.axes
         result: dict[str, xr.Variable] = {}
         for i, metric in enumerate(self.metrics):
-            result[metric.text] = _along_variants(self.numbers[:, i].copy(), metric.unit, metric.long_name)
+            result[metric.text] = _variant_column(self.numbers[:, i].copy(), metric.unit, metric.long_name)
         if self.channels:
             given = self.frame.columns.get("trial.duration", [study.trial.duration])
             times = study.settings.times(float(given[0]))
@@ -224,7 +224,7 @@ class _Results:
 
 
 @lru_cache(2)
-def _numbered(first: int, count: int) -> xr.Dataset:
+def _variant_axis(first: int, count: int) -> xr.Dataset:
     """Numbers of variants as an axis, which many results may share."""
     import xarray as xr
 
@@ -401,7 +401,7 @@ class VariantStudy:
         """Rig, trial and controller with the numbers (SI) of one variant."""
         own = {path: value for path, value in changes.items() if not path.startswith((_TRIAL, _CONTROL))}
         trial, control = (
-            _changed(description, changes, prefix)
+            _change(description, changes, prefix)
             for description, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
         )
         return self.changed_rig(own), trial, control
@@ -448,8 +448,8 @@ class VariantStudy:
             rows = np.flatnonzero(of.ravel() == i)
             changes = {path: float(value) for path, value in zip(outer, values, strict=True)}
             try:
-                trial = _changed(self.trial, changes, _TRIAL)
-                control = _changed(self.control, changes, _CONTROL)
+                trial = _change(self.trial, changes, _TRIAL)
+                control = _change(self.control, changes, _CONTROL)
             except JounceError as error:
                 yield _TrialGroup(self, self.trial, None, str(error)), rows
                 continue
@@ -475,11 +475,11 @@ class _TrialGroup:
             for row in rows:
                 results.reasons[row] = self.reason
             return
-        described = self._described(own, len(rows))
+        described = self._needs_description(own, len(rows))
         if described is not None:
             for i in np.flatnonzero(described).tolist():
                 changes = {path: float(column[i]) for path, column in own.items()}
-                self._alone(results, int(rows[i]), partial(self._run, changes, results.few))
+                self._run_alone(results, int(rows[i]), partial(self._run, changes, results.few))
             own, rows = {path: column[~described] for path, column in own.items()}, rows[~described]
         if not len(rows):
             return
@@ -487,19 +487,19 @@ class _TrialGroup:
         careful = np.ones(len(rows), dtype=bool)
         summed = not results.channels and not any(metric.needs_course for metric in results.metrics)
         if summed and self.study.settings.method == "auto" and len(rows) >= LEAST:
-            careful = self._side_by_side(results, parameters, rows, threads)
+            careful = self._run_in_vectors(results, parameters, rows, threads)
         if careful.all():
-            careful = self._stepped(results, parameters, rows, threads)
+            careful = self._step_in_vectors(results, parameters, rows, threads)
 
-        def alone(some: Iterable[int]) -> None:
+        def run_some(some: Iterable[int]) -> None:
             for i in some:
-                self._alone(results, int(rows[i]), partial(self._solve, parameters[i], self._signals, results.few))
+                self._run_alone(results, int(rows[i]), partial(self._solve, parameters[i], self._signals, results.few))
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or processors(), len(left))
         if workers > 1:
             results.make_room()
-        _shared(left, alone, workers)
+        _share_out(left, run_some, workers)
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
         """Values (SI) of all parameters of the model, one row a variant."""
@@ -509,8 +509,8 @@ class _TrialGroup:
             parameters[:, self.study.compiled.facts.parameters.index(path)] = column
         return parameters
 
-    def _described(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
-        """Which variants need a description of their own, None for none: those that it forbids are to say why."""
+    def _needs_description(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
+        """Flags of variants that need their own description, to report why it forbids them; None if no variant does."""
         if self.control is not None or any(path in MOVES_TRACKS for path in own) or self.study.adjusts(own):
             return np.ones(count, dtype=bool)
         if self.study.allows_all(own):
@@ -522,7 +522,7 @@ class _TrialGroup:
     def _signals(self) -> list[Segments]:
         return excitation(self.study.compiled.facts, self.study.rig, self.trial)
 
-    def _side_by_side(
+    def _run_in_vectors(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
         """Fill in the variants that can run in vectors; return the remaining ones."""
@@ -569,7 +569,7 @@ class _TrialGroup:
             layouts[key] = layout
         return layouts[key]
 
-    def _stepped(
+    def _step_in_vectors(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
         """Fill in the variants that can be stepped in vectors; return the remaining ones.
@@ -578,29 +578,29 @@ class _TrialGroup:
         """
         careful, left = np.ones(len(rows), dtype=bool), np.arange(len(rows))
         may = self.study.settings.method != "implicit" and len(rows) >= stepped.LEAST
-        laid_out = self._laid_out(parameters) if may else None
+        stepping = self._prepare_steps(parameters) if may else None
         for _ in range(TRIES):
-            if laid_out is None:
+            if stepping is None:
                 break
-            travelled = self._step_through(results, laid_out, rows[left], threads)
+            travelled = self._step_through(results, stepping, rows[left], threads)
             careful[left[travelled.held]] = False
             beyond = np.isfinite(travelled.low) & np.isfinite(travelled.high)
             left = left[beyond]
             if len(left) < stepped.LEAST:
                 break
             low, high = travelled.low[beyond], travelled.high[beyond]
-            laid_out = self._laid_out(parameters[left], (float(low.min()), float(high.max())))
-            if laid_out is None:
-                laid_out = self._laid_out(parameters[left], (float(np.median(low)), float(np.median(high))))
+            stepping = self._prepare_steps(parameters[left], (float(low.min()), float(high.max())))
+            if stepping is None:
+                stepping = self._prepare_steps(parameters[left], (float(np.median(low)), float(np.median(high))))
         return careful
 
     def _step_through(
-        self, results: _Results, laid_out: _LaidOut, rows: NDArray[np.int64], threads: int | None
-    ) -> _Travelled:
+        self, results: _Results, stepping: _Stepping, rows: NDArray[np.int64], threads: int | None
+    ) -> _TravelBeyond:
         """Step variants and fill in those that stay within their tables; return the travel of the others."""
         study, nowhere = self.study, np.full(len(rows), np.nan)
-        travelled = _Travelled(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
-        base, numbers, sound, corner, tolerance = laid_out
+        travelled = _TravelBeyond(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
+        base, numbers, sound, corner, tolerance = stepping
         outputs = study.compiled.output_names
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
         angles = angles_of(outputs) if base.compiled.facts.projects else []  # one coordinate cannot flip
@@ -646,7 +646,7 @@ class _TrialGroup:
         results.tally["side_by_side"] += int(np.sum(travelled.held))
         return travelled
 
-    def _laid_out(self, parameters: Array, travel: tuple[float, float] | None = None) -> _LaidOut | None:
+    def _prepare_steps(self, parameters: Array, travel: tuple[float, float] | None = None) -> _Stepping | None:
         """Prepare the stepping of variants in vectors; None if impossible, or if the rig itself cannot run.
 
         The tables reach beyond ``travel`` (m), the known travel of the wheel.
@@ -662,7 +662,7 @@ class _TrialGroup:
             except SimulationError:
                 return None
             every = np.ones(len(parameters), dtype=bool)
-            laid_out = _LaidOut(base, parameters, every, None, tolerance)
+            stepping = _Stepping(base, parameters, every, None, tolerance)
         else:
             names = study.compiled.facts.parameters
             values = dict(zip(names, study.base.tolist(), strict=True))
@@ -672,12 +672,12 @@ class _TrialGroup:
                 return None
             whole = np.concatenate([study.base[None, :], parameters])
             numbers, sound = study.reduction.alike(stepper.table, stepper.degree, names, whole, corner.limit)
-            laid_out = _LaidOut(stepper.prepared, numbers[1:], sound[1:], stepper, STEPS_SHARE * tolerance)
-        base = laid_out.base
+            stepping = _Stepping(stepper.prepared, numbers[1:], sound[1:], stepper, STEPS_SHARE * tolerance)
+        base = stepping.base
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
-        return laid_out if steps else None
+        return stepping if steps else None
 
-    def _alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
+    def _run_alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
         """Fill in the result of a run, or the reason why there is none."""
         try:
             run_samples = run()
@@ -711,23 +711,23 @@ class _TrialGroup:
         """Run the model with values (SI) of all its parameters; without findings."""
         settings, compiled = self.study.settings, self.study.compiled
         times = settings.times(self.trial.duration)
-        some = self._reduced(p, signals, times)
+        some = self._run_reduced(p, signals, times)
         if some is not None:
             return _RunSamples(compiled.output_names, *some)
         some = few.run(p, signals, times, settings) if few is not None else None
         if few is not None and some is not None:
             return _RunSamples(few.names, *some)
-        prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
-        solution = held_to_its_branch(compiled, prepared.run())
+        prepared_run = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
+        solution = held_to_its_branch(compiled, prepared_run.run())
         samples_reached(solution, compiled.facts, check=True)
-        at = prepared.equilibrium
+        at = prepared_run.equilibrium
         rest = solution.outputs[:, 0]
         if at is not None:
-            rest = compiled.evaluate("output", at.x, prepared.still, p, at.modes)
+            rest = compiled.evaluate("output", at.x, prepared_run.still, p, at.modes)
         return _RunSamples(compiled.output_names, solution.outputs, rest)
 
-    def _reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
-        """The same by one coordinate for each corner; None where that does not do."""
+    def _run_reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
+        """Run the model with one coordinate for each corner; None where that is not possible."""
         study = self.study
         values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
         course = values, signals, times, study.settings.tolerance
@@ -739,18 +739,18 @@ class _TrialGroup:
             return None
         if output is None:
             return None
-        solution, prepared = output
-        at = prepared.equilibrium
+        solution, prepared_run = output
+        at = prepared_run.equilibrium
         assert at is not None
-        still, values_there = prepared.still, prepared.problem.p
-        return solution.outputs, prepared.compiled.evaluate("output", at.x, still, values_there, at.modes)
+        still, values_there = prepared_run.still, prepared_run.problem.p
+        return solution.outputs, prepared_run.compiled.evaluate("output", at.x, still, values_there, at.modes)
 
 
-def _shared(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
-    """Take items, by several threads as soon as one item took long enough.
+def _share_out(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
+    """Share items out to several threads as soon as one item took long enough.
 
-    Short runs are Python for the most part, on which one thread at a time works: two that hand it to each other take
-    twice as long as one. The first makes what all of them share.
+    Short runs are mostly Python, which one thread at a time executes: two threads take twice as long as one. The first
+    item makes what all of them share.
     """
     for i in range(len(items) if workers > 1 else 0):
         begin = time.thread_time()
@@ -774,7 +774,7 @@ class _RunSamples(NamedTuple):
     findings: Sequence[Finding] = ()
 
 
-class _LaidOut(NamedTuple):
+class _Stepping(NamedTuple):
     """A run of the rig itself, parameters of the variants, flags of valid ones, and the reduced run with its table."""
 
     base: PreparedRun
@@ -784,7 +784,7 @@ class _LaidOut(NamedTuple):
     tolerance: float
 
 
-class _Travelled(NamedTuple):
+class _TravelBeyond(NamedTuple):
     """Flags of variants that stayed within their tables, and the travel of wheels that left them (m)."""
 
     held: NDArray[np.bool_]
@@ -800,7 +800,7 @@ def _quantities_of(description: object) -> dict[str, tuple[float, Unit]]:  # noq
 
 @remembered
 def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]:  # noqa: ARG001 - kept beside it
-    """Ranges of some numbers of a rig, by their paths, within which its description was last found to allow all."""
+    """Ranges of some numbers of a rig, by their paths, in which its description is known to allow all values."""
     return {}
 
 
@@ -835,7 +835,7 @@ def _of_the_rig(columns: Mapping[str, _Value]) -> dict[str, _Value]:
     return {path: column for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
 
 
-def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any:
+def _change(description: Any, changes: Mapping[str, float], prefix: str) -> Any:
     own: dict[str, float] = {
         path.removeprefix(prefix): value for path, value in changes.items() if path.startswith(prefix)
     }

@@ -59,7 +59,7 @@ class RunMetric:
 
     @property
     def needs_course(self) -> bool:
-        """Whether sums over samples do not do."""
+        """Whether it needs all samples, not only sums over them."""
         return self.word not in WORDS
 
 
@@ -105,7 +105,7 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
 
 
 def of_sums(word: str, sums: Sums, channel: int) -> Array:
-    """Metric of every variant from what was summed of a channel about its value at rest."""
+    """Metric of every variant from sums of a channel about its value at rest."""
     if word == "rms":
         return np.asarray(np.sqrt(sums.square[:, channel]))
     if word == "range":

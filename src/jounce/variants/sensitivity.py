@@ -93,7 +93,7 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     for i, name in enumerate(names):
         y = many[name].to_numpy().astype(float)
         good = np.isfinite(y) & _are_whole(belong, np.isfinite(y), size)
-        _enough(int(np.sum(good)) // size, _FEWEST if size > 1 else max(_FEWEST, len(paths) + 2))
+        _check_count(int(np.sum(good)) // size, _FEWEST if size > 1 else max(_FEWEST, len(paths) + 2))
         results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(design, _regression)(
             values[good], y[good]
         )
@@ -162,8 +162,8 @@ def _varies(y: Array) -> bool:
     return bool(np.ptp(y) > _LEAST * np.max(np.abs(y)))
 
 
-def _resampled(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]) -> list[tuple[Array, Array]]:
-    """Ends of the interval of each estimate, from rows drawn again with replacement."""
+def _resample(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]) -> list[tuple[Array, Array]]:
+    """Bootstrap the interval of each estimate, from rows drawn again with replacement."""
     random = np.random.default_rng(0)
     times = _RESAMPLES if rows * numbers <= _MANY else _FEWER
     drawn = [estimate(random.integers(0, rows, rows)) for _ in range(times)]
@@ -171,12 +171,12 @@ def _resampled(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, .
     return [(low, high) for low, high in ends]
 
 
-def _with_ends(
+def _estimate_with_ends(
     names: Sequence[str], rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
 ) -> dict[str, Array]:
     with np.errstate(divide="ignore", invalid="ignore"):  # a draw without variation
         values = estimate(slice(None))
-        ends = _resampled(rows, numbers, estimate)
+        ends = _resample(rows, numbers, estimate)
     results: dict[str, Array] = {}
     wider = 1.0 + _FEW / rows
     for name, value, (low, high) in zip(names, values, ends, strict=False):
@@ -186,7 +186,7 @@ def _with_ends(
     return results
 
 
-def _enough(count: int, least: int) -> None:
+def _check_count(count: int, least: int) -> None:
     if count < least:
         raise DescriptionError("too few variants that ran", where="many", found=count, allowed=f"at least {least}")
 
@@ -210,7 +210,7 @@ def _sobol_indices(values: Array, y: Array) -> dict[str, Array]:
         alone = np.mean(second * (exchanged - first), axis=0) / variance
         return alone, 0.5 * np.mean((first - exchanged) ** 2, axis=0) / variance
 
-    return _with_ends(("first", "total"), len(runs), numbers, estimate)
+    return _estimate_with_ends(("first", "total"), len(runs), numbers, estimate)
 
 
 def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
@@ -227,7 +227,7 @@ def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
         return np.mean(np.abs(chosen), axis=0), np.mean(chosen, axis=0), np.std(chosen, axis=0, ddof=1)
 
     names = ("mean_absolute_effect", "mean_effect", "effect_spread")
-    return _with_ends(names, len(runs), numbers, estimate)
+    return _estimate_with_ends(names, len(runs), numbers, estimate)
 
 
 def _regression(x: Array, z: Array) -> dict[str, Array]:

@@ -66,7 +66,7 @@ _LONG_LIST = 50
 
 
 @dataclass(frozen=True)
-class Kept:
+class KeptSweep:
     """A folder that holds a sweep, finished or not.
 
     Attributes
@@ -106,7 +106,7 @@ class Kept:
         return result
 
     def whole(self) -> dict[int, Path]:
-        """Shards whose content is what it was written as."""
+        """Undamaged shards."""
         result = {}
         for number, files in self.names().items():
             good = [file for file in files if self._is_whole(file)]
@@ -115,7 +115,7 @@ class Kept:
         return result
 
     def write(self, number: int, content: bytes) -> None:
-        """Put a shard, which comes as a netCDF file, in its place; damaged ones of its number go."""
+        """Store a shard, given as a netCDF file, and remove damaged ones of its number."""
         if self.is_zarr:
             content = zarr_shards.put(self.folder, number, _dataset(content), self.count, int(self.about["shard"]))
         name = f"{number:06d}.{checksum(content)}{self._suffix}"
@@ -190,9 +190,9 @@ def keep_in_shards(
     begins = shards is None
     if shards is None:
         size = _size(work, columns, workers if client is None else 64, pace)
-        shards = _planned(folder, work, columns, study, size, command)
+        shards = _plan(folder, work, columns, study, size, command)
     folder.mkdir(parents=True, exist_ok=True)
-    with _alone(folder):
+    with _lock(folder):
         if begins:
             _begin(shards)
         done = shards.whole()
@@ -222,7 +222,7 @@ def keep_in_shards(
 
 
 def _refuse_taken(folder: Path, *, force: bool) -> None:
-    """Refuse a folder with something in it, telling how to go on where that is a sweep."""
+    """Refuse a folder that is not empty, and explain how to resume if it holds a sweep."""
     if not force and (folder / MANIFEST).is_file():
         shards = read_kept(folder)
         raise OutputError(
@@ -234,7 +234,7 @@ def _refuse_taken(folder: Path, *, force: bool) -> None:
     check_folder(folder, force=force)
 
 
-def _write(shards: Kept, number: int, content: bytes) -> None:
+def _write(shards: KeptSweep, number: int, content: bytes) -> None:
     """Store a shard; if the disk is full, report the remaining work."""
     try:
         shards.write(number, content)
@@ -321,14 +321,14 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     return xr.Dataset(data, coordinates, attributes)
 
 
-def read_kept(folder: Path) -> Kept:
+def read_kept(folder: Path) -> KeptSweep:
     """Read the description of a sweep from its folder."""
     file = folder / MANIFEST
     try:
         if not file.is_file():
             raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}")
         about = json.loads(content_of(file, OutputError))
-        shards = Kept(folder, about)
+        shards = KeptSweep(folder, about)
         size = int(about["shard"])
         if about["schema"] == SCHEMA and 1 <= shards.count <= _MOST_SHARDS * size and size >= 1 and "study" in about:
             return shards
@@ -341,7 +341,7 @@ def read_kept(folder: Path) -> Kept:
 
 
 def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
-    """All that results follow from, as plain data: files by their content, long lists by their digest."""
+    """Everything that determines the results, as plain data: files by their content, long lists by their digest."""
     study = work.study
     if study.control is not None and callable(getattr(study.control, "function", None)):
         raise DescriptionError(
@@ -388,19 +388,19 @@ def _version() -> str:
     return metadata.version("jounce")
 
 
-def _flat(value: Any, path: str = "") -> dict[str, Any]:
+def _flatten(value: Any, path: str = "") -> dict[str, Any]:
     if isinstance(value, Mapping):
-        inner = [_flat(item, qualify(path, str(key))) for key, item in value.items()]
+        inner = [_flatten(item, qualify(path, str(key))) for key, item in value.items()]
     elif isinstance(value, list):
-        inner = [_flat(item, f"{path}[{i}]") for i, item in enumerate(value)]
+        inner = [_flatten(item, f"{path}[{i}]") for i, item in enumerate(value)]
     else:
         return {path: value}
     return {key: item for part in inner for key, item in part.items()}
 
 
-def _check_same(shards: Kept, study: Mapping[str, Any]) -> None:
-    """Refuse to go on with another study, naming what differs."""
-    before, now = _flat(shards.about["study"]), _flat(json.loads(to_json(study)))
+def _check_same(shards: KeptSweep, study: Mapping[str, Any]) -> None:
+    """Refuse to resume another study, and name the differences."""
+    before, now = _flatten(shards.about["study"]), _flatten(json.loads(to_json(study)))
     changed = [path for path in dict.fromkeys([*before, *now]) if before.get(path) != now.get(path)]
     if not changed:
         return
@@ -441,9 +441,9 @@ def _short(value: Any) -> str:
 # the folder -----------------------------------------------------------------------------------------------------------
 
 
-def _planned(
+def _plan(
     folder: Path, work: VariantWork, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
-) -> Kept:
+) -> KeptSweep:
     """Plan a new sweep; refuse it without enough room on the disk."""
     about = {
         "schema": SCHEMA,
@@ -454,13 +454,13 @@ def _planned(
         "command": command or command_line(sys.argv),
         "study": study,
     }
-    shards = Kept(folder, about)
+    shards = KeptSweep(folder, about)
     _check_disk(shards, work, shards.spans)
     return shards
 
 
-def _begin(shards: Kept) -> None:
-    """Write what the results follow from; shards of an earlier sweep in the folder go."""
+def _begin(shards: KeptSweep) -> None:
+    """Write the description of the sweep, and remove shards of an earlier one in the folder."""
     for file in (shards.folder / SHARDS).glob("*"):
         if _NAME.fullmatch(file.name):
             file.unlink()
@@ -477,7 +477,7 @@ class _Pace:
 
 
 def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
-    """Try how long the first variants take."""
+    """Measure how long the first variants take."""
     count, tried, before = len(next(iter(columns.values()))), 1, 0
     work.run({path: column[:1] for path, column in columns.items()})  # compile first
     while True:
@@ -508,8 +508,8 @@ def _bytes_of_a_variant(work: VariantWork, columns: Mapping[str, Array]) -> int:
     return 8 * (len(columns) + len(work.metrics) + len(work.channels) * samples + 1) + 32
 
 
-def _check_disk(shards: Kept, work: VariantWork, spans: list[tuple[int, int]]) -> None:
-    """Refuse results that exceed the room on the disk, before the work."""
+def _check_disk(shards: KeptSweep, work: VariantWork, spans: list[tuple[int, int]]) -> None:
+    """Refuse results that exceed the free space on the disk, before the work begins."""
     there = next(parent for parent in (shards.folder, *shards.folder.parents) if parent.exists())
     paths = [path for path in shards.about["study"]["variants"] if path not in ("design", "seed")]
     each = _bytes_of_a_variant(work, dict.fromkeys(paths, np.array([work.study.trial.duration])))
@@ -519,23 +519,23 @@ def _check_disk(shards: Kept, work: VariantWork, spans: list[tuple[int, int]]) -
         raise OutputError(
             "the results are more than the disk has room for",
             where=str(shards.folder),
-            found=_bytes_told(needed),
-            allowed=_bytes_told(free),
+            found=_in_words(needed),
+            allowed=_in_words(free),
             hint="Keep metrics, fewer outputs, or a longer output step.",
         )
 
 
-def _bytes_told(count: float) -> str:
+def _in_words(count: float) -> str:
     """Bytes in words.
 
-    >>> _bytes_told(1_200_000), _bytes_told(3.2e9)
+    >>> _in_words(1_200_000), _in_words(3.2e9)
     ('1.2 MB', '3.2 GB')
     """
     return f"{count / 1e9:.3g} GB" if count >= 1e9 else f"{count / 1e6:.3g} MB"
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
+def _lock(folder: Path) -> Iterator[None]:
     """Let one process at a time work on a folder."""
     held = hold(folder)
     if held is None:

@@ -32,7 +32,7 @@ _LINE = 64  # bytes
 
 @dataclass(frozen=True)
 class Sums:
-    """Results of each variant and channel: mean, mean square, least and greatest value about ``rest``.
+    """Results of each variant and channel: mean, mean square, minimum and maximum about ``rest``.
 
     All have one row a variant; ``rest`` is the value at rest. ``alone`` tells which variants have nothing here: they
     rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched. ``sums`` are
@@ -83,7 +83,7 @@ class SharedLayout:
 def sums_side_by_side(
     layout: SharedLayout, parameters: Array, threads: int | None = None, meanwhile: Callable[[], object] | None = None
 ) -> Sums | None:
-    """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few.
+    """Run variants, one row of parameter values (SI) each; None where they cannot run in vectors, or are too few.
 
     ``meanwhile`` is other work that this thread does while the others wake up.
     """
@@ -100,7 +100,7 @@ def sums_side_by_side(
         try:
             room = layout.rooms.pop()
         except IndexError:
-            room = _apart(layout.work)
+            room = _with_own_arrays(layout.work)
         own = room._replace(parameters=rows, sums=sums, rest=rest, events=events, alone=alone)
         for span in spans:
             own.span[:] = span
@@ -223,7 +223,7 @@ def lay_out(
 
 
 def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
-    """From where to where variants are handed out, in whole blocks: ever fewer, so that all workers end together."""
+    """Spans in which variants are handed out, in whole blocks: ever smaller, so that all workers end together."""
     spans, first, left = [], 0, -(-count // wide)
     while left:
         blocks = max(left // (_TURNS * workers), 1) if workers > 1 else left
@@ -232,7 +232,7 @@ def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
     return spans
 
 
-def _apart(work: lanes.Work) -> lanes.Work:
+def _with_own_arrays(work: lanes.Work) -> lanes.Work:
     """The same work on other variants, with arrays of its own to work in."""
     run = work.run
     problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
@@ -240,12 +240,12 @@ def _apart(work: lanes.Work) -> lanes.Work:
     own = {name: getattr(run, name).copy() for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")}
     room = work.room._replace(**{name: array.copy() for name, array in work.room._asdict().items()})
     room = room._replace(  # what a step reads and writes a vector at a time
-        kept=_in_line(room.kept), next=_in_line(room.next), variant=_in_line(room.variant)
+        kept=_align(room.kept), next=_align(room.next), variant=_align(room.variant)
     )
     return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=work.span.copy())
 
 
-def _in_line(array: Array) -> Array:
+def _align(array: Array) -> Array:
     """A copy aligned to a cache line: steps take 1.5 times as long if vectors cross lines."""
     room = np.empty(array.nbytes + _LINE, dtype=np.uint8)
     in_line: Array = np.ndarray(array.shape, array.dtype, room.data, -room.ctypes.data % _LINE)

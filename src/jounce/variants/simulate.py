@@ -13,7 +13,7 @@ from jounce.parts import Rig, as_rig
 from jounce.recordings.carried import by_path
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.settings import Method, RunSettings
-from jounce.variants.many import Variants, prepared
+from jounce.variants.many import Variants, read_request
 from jounce.variants.shards import keep_in_shards
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     _check_threads(threads)
     if not is_whole(workers) or workers < 1:
         raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
-    work, columns = prepared(
+    work, columns = read_request(
         as_rig(rig),
         trial,
         by_path(variants),

@@ -158,12 +158,12 @@ class LaneBlocks:
         free, switches = len(at.free), len(facts.switches)
         rows = len(facts.coordinates) + at.free
         x, modes = (np.tile(part[None, :, None], (blocks, 1, wide)) for part in (at.x, at.modes))
-        x, opened = self._closed(x, modes)
+        x, opened = self._close_loops(x, modes)
         slopes = self._slopes(x, modes)
         for turn in range(_ITERATIONS):
             falling = self._evaluate("rate", len(at.x), x, modes)[:, rows].transpose(0, 2, 1)
             step = -np.linalg.solve(slopes[..., free:, :free], np.where(np.isfinite(falling), falling, 0.0)[..., None])
-            x, opened = self._closed(x + np.einsum("sf,blf->bsl", at.lift[:, :free], step[..., 0]), modes, 1)
+            x, opened = self._close_loops(x + np.einsum("sf,blf->bsl", at.lift[:, :free], step[..., 0]), modes, 1)
             sides = modes
             if switches:
                 sides = (self._evaluate("switch", switches, x, np.ones_like(modes)) > 0.0).astype(float)
@@ -187,8 +187,8 @@ class LaneBlocks:
         self.numbers[:] = np.where(lost[:, None], self.base.problem.p[:, None], self.numbers)
         return Rest(x, modes, lost, np.where(lost, usual, limit))
 
-    def _closed(self, x: Array, modes: Array, times: int = _PROJECTIONS) -> tuple[Array, Array]:
-        """States moved onto the loops some times, and how far open these were the last time: (blocks, lanes)."""
+    def _close_loops(self, x: Array, modes: Array, times: int = _PROJECTIONS) -> tuple[Array, Array]:
+        """Project states onto the loops some times; return them, and how far open these were last: (blocks, lanes)."""
         residual = np.zeros((len(x), 2, x.shape[2]))
         for _ in range(times if self.compiled.facts.projects else 0):
             projected = self._evaluate("project", 2 + x.shape[1], x, modes)
@@ -205,7 +205,7 @@ class LaneBlocks:
         assert at is not None
         displacements, rates = [], []
         for motion in at.lift.T:
-            there = [self._closed(x + side * motion[None, :, None], modes, 1)[0] for side in (_MOVE, -_MOVE)]
+            there = [self._close_loops(x + side * motion[None, :, None], modes, 1)[0] for side in (_MOVE, -_MOVE)]
             rate = [self._evaluate("rate", len(at.x), place, modes) for place in there]
             displacements.append(np.einsum("rn,bnl->blr", at.pick, there[0] - there[1]))
             rates.append(np.einsum("rn,bnl->blr", at.pick, rate[0] - rate[1]))

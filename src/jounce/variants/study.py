@@ -24,7 +24,7 @@ from jounce.roads import Trial
 from jounce.roads.loading import load_road, read_roads
 from jounce.simulation.settings import Method, RunSettings
 from jounce.variants.designs import DESIGNS, MOST
-from jounce.variants.many import Variants, VariantWork, prepared
+from jounce.variants.many import Variants, VariantWork, read_request
 from jounce.variants.shards import Say, keep_in_shards, read_kept
 from jounce.variants.summary import Summary, summarise
 
@@ -51,7 +51,7 @@ class SweepDesign(Description):
     seed: Seed = 0
 
     @model_validator(mode="after")
-    def _counts_what_is_drawn(self) -> SweepDesign:
+    def _check_count(self) -> SweepDesign:
         if (self.kind in ("list", "grid")) != (self.count is None):
             said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
             raise misplaced(("count",), f"a design of kind {self.kind!r} {said}", found=as_found(self.count))
@@ -79,7 +79,7 @@ class SweepStudy(Description):
     method: Method = "auto"
 
     @model_validator(mode="after")
-    def _keeps_something(self) -> SweepStudy:
+    def _check_results(self) -> SweepStudy:
         if not self.metrics and not self.outputs:
             raise misplaced(
                 ("metrics",), "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs"
@@ -161,7 +161,7 @@ def run_sweep(
     say: Say = lambda _done, _count: None,
     command: str = "",
 ) -> SweepResult:
-    """Run the sweep that a file describes into a folder, by shards that outlast whatever stops it.
+    """Run the sweep that a file describes into a folder, in shards that survive an interruption.
 
     Parameters
     ----------
@@ -268,11 +268,11 @@ def read_sweep(path: Path | str) -> ReadSweep:
         trial = read_trial(study.trial, file, text)
         variants = _variants(study)
         settings = RunSettings(study.output_step, study.tolerance, study.method)
-        work, columns = prepared(
+        work, columns = read_request(
             rig, trial, variants, settings, list(study.metrics), list(study.outputs), _control(study, file)
         )
     except JounceError as error:
-        raise _placed(error, file, text, study) from None
+        raise _place_error(error, file, text, study) from None
     return ReadSweep(study, work, columns)
 
 
@@ -295,7 +295,7 @@ def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, .
             try:
                 trial[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
             except JounceError as error:
-                raise _told(
+                raise _with_place(
                     error, file, line_of(text, (*place, side)), f"{'.'.join(place)}.{side}: {error.where}"
                 ) from None
         elif isinstance(given, dict):
@@ -328,13 +328,15 @@ def _control(study: SweepStudy, file: Path) -> Controller | None:
     return controller(beside if beside.suffix == ".toml" else study.control)
 
 
-def _placed(error: JounceError, file: Path, text: str, study: SweepStudy) -> JounceError:
-    """The error with file and line, where its place is one of the study."""
+def _place_error(error: JounceError, file: Path, text: str, study: SweepStudy) -> JounceError:
+    """Add file and line to an error whose place is one of the study."""
     place = error.where.removeprefix("variants: ")
-    named = next((path for path in study.vary if place == path or place.startswith((f"{path}:", f"{path}["))), None)
+    varied_path = next(
+        (path for path in study.vary if place == path or place.startswith((f"{path}:", f"{path}["))), None
+    )
     head = place.partition("[")[0].partition(":")[0]
-    if named is not None:
-        line = line_of(text, ("vary", named))
+    if varied_path is not None:
+        line = line_of(text, ("vary", varied_path))
         place = f"vary.{place}"
     elif head in ("metrics", "outputs", "output_step", "tolerance", "method", "control", "design"):
         line = line_of(text, (head,))
@@ -342,9 +344,9 @@ def _placed(error: JounceError, file: Path, text: str, study: SweepStudy) -> Jou
         line, place = line_of(text, ("design",)), "design"
     else:
         return error
-    return _told(error, file, line, place)
+    return _with_place(error, file, line, place)
 
 
-def _told(error: JounceError, file: Path, line: int | None, place: str) -> JounceError:
+def _with_place(error: JounceError, file: Path, line: int | None, place: str) -> JounceError:
     where = below(at_line(file, line), place)
     return type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)

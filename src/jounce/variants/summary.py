@@ -150,7 +150,7 @@ def _metric(many: xr.Dataset, name: str) -> MetricSummary:
 
 
 def _percentile(ordered: np.ndarray, level: float) -> dict[str, Any]:
-    """A percentile with its 95 % interval: between which of the ordered values it lies follows from counting alone."""
+    """A percentile with its 95 % interval, from order statistics: free of any distribution."""
     from scipy.stats import binom
 
     count, share = len(ordered), level / 100.0
@@ -170,7 +170,7 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
     for metric in names:
         for number in map(str, indices["number"].to_numpy()):
             at = indices.sel(metric=metric, number=number)
-            measured = {name: _measured(at, name) for name in measures if name != "explained"}
+            measured = {name: _measure(at, name) for name in measures if name != "explained"}
             ends = {name: float(at[name]) for name in ("at_low", "at_high") if name in at}
             influences.append(Influence(metric, number, {**measured, **ends}))
         explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
@@ -185,7 +185,7 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
     return tuple(influences), findings
 
 
-def _measured(at: xr.Dataset, name: str) -> dict[str, Any]:
+def _measure(at: xr.Dataset, name: str) -> dict[str, Any]:
     ends = [float(at[f"{name}_{end}"]) for end in ("low", "high")] if f"{name}_low" in at else None
     return {"value": float(at[name]), "interval": ends}
 

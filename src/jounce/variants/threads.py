@@ -24,7 +24,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def processors() -> int:
-    """Number of processors that this process may use: those of the machine, or fewer if it is bound to some.
+    """Number of processors that this process may use: those of the machine, or fewer if it is bound to fewer.
 
     A container that may use as much time as some processors have counts as these.
 

@@ -84,11 +84,11 @@ def here(work: VariantWork, tasks: Sequence[Task], threads: int | None) -> Resul
 
 
 def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Results:
-    """Return number and content of shards as processes finish them; one that is ended from outside is replaced."""
-    packed, left, ends = _packed(work), {task.number: task for task in tasks}, 0
+    """Return number and content of shards as processes finish them; a process that is killed is replaced."""
+    packed, left, ends = _pack(work), {task.number: task for task in tasks}, 0
     while left:
         try:
-            for number, content in _pooled(workers, packed, list(left.values())):
+            for number, content in _run_pool(workers, packed, list(left.values())):
                 del left[number]
                 ends = 0
                 yield number, content
@@ -107,7 +107,7 @@ def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Resu
                 ) from None
 
 
-def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
+def _run_pool(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
     others = set(multiprocessing.active_children())
     with starting_workers():
         pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
@@ -141,7 +141,7 @@ def _begin() -> None:
 
 
 def _end_with_the_first() -> None:
-    """End with the first process: if that was killed, nobody takes the results."""
+    """End with the first process: if it is killed, nobody collects the results."""
     first = multiprocessing.parent_process()
     if first is not None:
         multiprocessing.connection.wait([first.sentinel])
@@ -149,7 +149,7 @@ def _end_with_the_first() -> None:
 
 
 _ONE_AT_A_TIME = threading.Lock()
-"""Workers of a cluster may have several threads; what a compiled model works in is there once a process."""
+"""Workers of a cluster may have several threads, but a compiled model has one set of work arrays per process."""
 
 
 def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
@@ -157,18 +157,18 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
     own = metadata.version("jounce")
     if own != task.version:
         raise JounceError("a worker has another version of jounce", found=own, allowed=task.version)
-    trust, work = _unpacked(packed)
+    trust, work = _unpack(packed)
     with _ONE_AT_A_TIME, trusting(trust):
         return task.number, shard_of(work, task, 1)
 
 
-def _packed(work: VariantWork) -> bytes:
-    """Input of all tasks, and the user's choice whether FMUs may run in the worker's own process."""
+def _pack(work: VariantWork) -> bytes:
+    """Pack the input of all tasks, and the user's choice whether FMUs may run in the worker's own process."""
     return pickle.dumps((trust_said(), work))
 
 
 @lru_cache(maxsize=2)
-def _unpacked(packed: bytes) -> tuple[bool | None, VariantWork]:
+def _unpack(packed: bytes) -> tuple[bool | None, VariantWork]:
     result: tuple[bool | None, VariantWork] = pickle.loads(packed)
     return result
 
@@ -182,8 +182,8 @@ def cluster_at(address: str) -> Iterator[Any]:
     try:
         client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
-        found = " ".join(str(error).split()) or type(error).__name__
-        raise JounceError("no scheduler answers", where=address, found=found, hint=hint) from None
+        cause = " ".join(str(error).split()) or type(error).__name__
+        raise JounceError("no scheduler answers", where=address, found=cause, hint=hint) from None
     with client:
         yield client
 
@@ -215,7 +215,7 @@ def check_cluster(client: Any) -> None:
 
 
 def _versions() -> dict[str, str]:
-    """Of what results depend on, and of what processes talk with."""
+    """Versions of packages that determine the results or the communication of processes."""
     own = {name: metadata.version(name) for name in ("jounce", "numpy", "distributed")}
     return {"python": f"{sys.version_info.major}.{sys.version_info.minor}", **own}
 
@@ -228,7 +228,7 @@ def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results
     """Return number and content of shards as the workers of a Dask cluster finish them; lost workers are replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)
-    packed, pending = _packed(work), iter(tasks)
+    packed, pending = _pack(work), iter(tasks)
     following = distributed.as_completed(loop=client.loop, with_results=True)
     waiting: set[Any] = set()
 

@@ -46,7 +46,7 @@ def put(folder: Path, number: int, shard: xr.Dataset, count: int, size: int) -> 
     for name, variable in shard.variables.items():
         along = "variant" in variable.dims
         key = f"{name}/{'.'.join([str(number if along else 0), *['0'] * (variable.ndim - 1)])}"
-        content = _packed(variable.to_numpy(), size if along else None)
+        content = _pack(variable.to_numpy(), size if along else None)
         write_atomically(folder / key, content, force=True)
         chunks[key] = checksum(content)
     record = {
@@ -70,7 +70,7 @@ def take(folder: Path, record: bytes) -> xr.Dataset | None:
         name = key.rpartition("/")[0]
         array, attributes = (_read(folder / name / file) for file in (_ARRAY, _ATTRIBUTES))
         dimensions = attributes.pop(_DIMENSIONS)
-        values = _unpacked(content, array)
+        values = _unpack(content, array)
         variables[name] = xr.Variable(
             dimensions, values[: about["rows"]] if "variant" in dimensions else values, attributes
         )
@@ -79,7 +79,7 @@ def take(folder: Path, record: bytes) -> xr.Dataset | None:
 
 
 def is_whole(folder: Path, record: bytes) -> bool:
-    """Whether every chunk of a shard is what it was written as."""
+    """Whether every chunk of a shard is undamaged."""
     return all(content is not None for _, content in _whole_chunks(folder, json.loads(record)))
 
 
@@ -145,8 +145,8 @@ def _read(file: Path) -> dict[str, Any]:
     return result
 
 
-def _packed(values: Array, size: int | None) -> bytes:
-    """A chunk: all of its rows, though the last shard has fewer."""
+def _pack(values: Array, size: int | None) -> bytes:
+    """Pack a chunk with all of its rows, though the last shard has fewer."""
     missing = 0 if size is None else size - len(values)
     if values.dtype.kind in "fiub":
         filling = np.zeros((missing, *values.shape[1:]), dtype=values.dtype)
@@ -156,7 +156,7 @@ def _packed(values: Array, size: int | None) -> bytes:
     return struct.pack("<I", len(texts)) + b"".join(struct.pack("<I", len(text)) + text for text in texts)
 
 
-def _unpacked(content: bytes, array: Mapping[str, Any]) -> Array:
+def _unpack(content: bytes, array: Mapping[str, Any]) -> Array:
     shape = array["chunks"]
     if array["dtype"] != "|O":
         return np.frombuffer(content, array["dtype"]).reshape(shape).copy()

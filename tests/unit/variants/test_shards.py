@@ -17,7 +17,7 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.trust import trust_said, trusting
 from jounce.simulation.settings import RunSettings
 from jounce.variants import shards, workers
-from jounce.variants.many import prepared
+from jounce.variants.many import read_request
 from jounce.variants.summary import summarise
 
 RIG = jn.load("audi-a6-quarter-car")
@@ -78,7 +78,7 @@ def test_workers_are_told_what_may_run_in_their_process(monkeypatch, said: bool 
     seen = []
     monkeypatch.setattr(workers, "shard_of", lambda *_: seen.append(trust_said()) or b"")
     with trusting(said):
-        packed = workers._packed("work")
+        packed = workers._pack("work")
     workers.work_on(packed, workers.Task(0, 0, {}, workers.metadata.version("jounce")))
     assert seen == [said]
 
@@ -304,15 +304,15 @@ def test_a_function_is_no_part_of_a_file(tmp_path: Path) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="locks of folders are a thing of POSIX")
 def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
     sweep(tmp_path)
-    with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
+    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process works"):
         sweep(tmp_path, resume=True)
 
 
 def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Path, small) -> None:
     sweep(tmp_path, design(40))
     (tmp_path / "shards" / "notes.nc").write_text("mine", encoding="utf-8")
-    work, columns = prepared(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
-    with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
+    work, columns = read_request(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
+    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process works"):
         shards.keep_in_shards(work, columns, tmp_path, force=True)
     assert len(files(tmp_path)) == 6
     found = shards.keep_in_shards(work, columns, tmp_path, force=True)
@@ -325,7 +325,9 @@ def test_a_zarr_group_that_begins_anew_leaves_what_is_not_its_own(tmp_path: Path
     sweep(out)
     (out / "notes").mkdir()
     (out / "notes" / "mine.txt").write_text("mine", encoding="utf-8")
-    work, columns = prepared(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS[:1], None, None)
+    work, columns = read_request(
+        RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS[:1], None, None
+    )
     found = shards.keep_in_shards(work, columns, out, force=True)
     assert found.sizes["variant"] == 10
     assert (out / "notes" / "mine.txt").read_text(encoding="utf-8") == "mine"
