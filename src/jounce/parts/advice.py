@@ -79,23 +79,38 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
-    return [at_place(place_in(where, item.place), item) for item in _found(rig)]
+    return [at_place(place_in(where, item.place), item) for item in _check_all(rig)]
 
 
 @remembered
-def _found(rig: Rig) -> tuple[Finding, ...]:
+def _check_all(rig: Rig) -> tuple[Finding, ...]:
     """All findings; every run asks for them."""
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
-        checks = (_estimated, _order, _wheel, _bars, _strut, _bodies, _sprung, _statics)
+        checks = (
+            _check_estimated,
+            _check_order,
+            _check_wheel,
+            _check_bars,
+            _check_strut,
+            _check_bodies,
+            _check_sprung_mass,
+            _check_statics,
+        )
         checks = checks[:4] if rig.lacks else checks  # what it does not say cannot be wrong
-        found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
+        findings = list(_check_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
-        lumped = _vehicle(rig) if isinstance(rig, AnyVehicle) else _at_rest(rig) if isinstance(rig, QuarterCar) else ()
-        found = [*_estimated(rig), *lumped]
-    asked_of = rig.parameters().keys() - {item.place for item in found}  # not of what stands in for what is left out
-    found += [item for item in questions(rig) if item.place in asked_of]
-    return tuple(found)
+        lumped = (
+            _check_vehicle(rig)
+            if isinstance(rig, AnyVehicle)
+            else _check_at_rest(rig)
+            if isinstance(rig, QuarterCar)
+            else ()
+        )
+        findings = [*_check_estimated(rig), *lumped]
+    asked_of = rig.parameters().keys() - {item.place for item in findings}  # not of what stands in for what is left out
+    findings += [item for item in questions(rig) if item.place in asked_of]
+    return tuple(findings)
 
 
 def _is_choice(rig: Rig, path: str) -> bool:
@@ -106,7 +121,7 @@ def _is_choice(rig: Rig, path: str) -> bool:
     return isinstance(here, str)
 
 
-def _estimated(rig: Rig) -> Iterator[Finding]:
+def _check_estimated(rig: Rig) -> Iterator[Finding]:
     known = rig.parameters()
     for entry in rig.estimated:
         is_number = any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known)
@@ -125,14 +140,14 @@ def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Findi
         yield finding("parts.size_millimetres", place, largest, largest=largest)
 
 
-def _size(rig: Corner) -> Iterator[Finding]:
+def _check_size(rig: Corner) -> Iterator[Finding]:
     yield from size_findings(rig.hardpoints.given(), "hardpoints")
     radius = rig.wheel.radius
     if radius > 2.0 or radius < 0.02:
         yield finding("parts.wheel_radius", "wheel.radius", radius, radius=radius)
 
 
-def _order(rig: Corner) -> Iterator[Finding]:
+def _check_order(rig: Corner) -> Iterator[Finding]:
     """Names that seem to be swapped."""
     points = rig.hardpoints.given()
     for arm in ("lower_arm", "upper_arm"):
@@ -156,7 +171,7 @@ def _order(rig: Corner) -> Iterator[Finding]:
             yield finding("parts.across_the_middle", f"hardpoints.{name}", point[1])
 
 
-def _wheel(rig: Corner) -> Iterator[Finding]:
+def _check_wheel(rig: Corner) -> Iterator[Finding]:
     height, radius = rig.hardpoints.wheel_centre[2], rig.undeformed_radius
     if abs(height - radius) > 0.2 * radius:
         code = "parts.wheel_low" if height < radius else "parts.wheel_high"
@@ -168,7 +183,7 @@ def _wheel(rig: Corner) -> Iterator[Finding]:
             yield finding("parts.steep_angle", f"wheel.{name}", angle, angle=angle)
 
 
-def _strut(rig: Corner) -> Iterator[Finding]:
+def _check_strut(rig: Corner) -> Iterator[Finding]:
     bottom, top = np.array(rig.hardpoints.at("strut_bottom")), np.array(rig.hardpoints.at("strut_top"))
     along, strut = top - bottom, rig.strut
     if strut.on != "rocker":
@@ -180,10 +195,10 @@ def _strut(rig: Corner) -> Iterator[Finding]:
         stop = getattr(strut, name)
         if stop is not None and stop.gap < 0.0:
             yield finding("parts.stop_pressed_in", f"strut.{name}.gap", stop.gap, gap=-stop.gap)
-    yield from _driving("strut.damper", strut.damper)
+    yield from _check_driving("strut.damper", strut.damper)
 
 
-def _driving(place: str, damper: object) -> Iterator[Finding]:
+def _check_driving(place: str, damper: object) -> Iterator[Finding]:
     """The first point at which a table drives the motion instead of damping it."""
     if isinstance(damper, VelocityTable):
         rows = {"": damper.force}
@@ -198,7 +213,7 @@ def _driving(place: str, damper: object) -> Iterator[Finding]:
                 return
 
 
-def _bodies(rig: Corner) -> Iterator[Finding]:
+def _check_bodies(rig: Corner) -> Iterator[Finding]:
     points = rig.hardpoints.given()
     for name, body in rig.body_masses().items():
         names = BODY_POINTS.get(name, rig.hardpoints.outer)
@@ -217,7 +232,7 @@ def _bodies(rig: Corner) -> Iterator[Finding]:
             )
 
 
-def _bars(rig: Corner) -> Iterator[Finding]:
+def _check_bars(rig: Corner) -> Iterator[Finding]:
     """Whether the links of a T-bar hold its hinge and its stem."""
     if rig.anti_roll_bar is None or rig.anti_roll_bar.kind != "t":
         return
@@ -230,7 +245,7 @@ def _bars(rig: Corner) -> Iterator[Finding]:
             yield finding("parts.t_bar_held_loosely", "hardpoints.arb_link_end", lever, axis=name, lever=lever)
 
 
-def _sprung(rig: Corner) -> Iterator[Finding]:
+def _check_sprung_mass(rig: Corner) -> Iterator[Finding]:
     if rig.sprung is None or rig.guide == "vertical+spherical":
         return
     unused = [name for name in ("centre_of_mass", "inertia", "joint") if getattr(rig.sprung, name) is not None]
@@ -238,7 +253,7 @@ def _sprung(rig: Corner) -> Iterator[Finding]:
         yield finding("parts.sprung_unused", "sprung", unused=", ".join(unused))
 
 
-def _statics(rig: Corner) -> Iterator[Finding]:
+def _check_statics(rig: Corner) -> Iterator[Finding]:
     """Whether the spring can carry the car, and how far from design it does."""
     try:
         ratio = motion_ratio(rig)
@@ -279,16 +294,16 @@ def _statics(rig: Corner) -> Iterator[Finding]:
     if abs(travel) > 0.25 * rig.wheel.radius:
         direction = "bump" if travel > 0.0 else "rebound"
         yield finding(away, place, travel, travel=abs(travel), direction=direction, **numbers)
-    yield from _pressed("tyre", static_tyre_deflection(rig), 0.3 * rig.wheel.radius)
+    yield from _check_deflection("tyre", static_tyre_deflection(rig), 0.3 * rig.wheel.radius)
 
 
-def _pressed(place: str, deflection: float, most: float) -> Iterator[Finding]:
+def _check_deflection(place: str, deflection: float, most: float) -> Iterator[Finding]:
     """A tyre that its load would press flat (m)."""
     if deflection > most:
         yield finding("parts.tyre_pressed_in", place, deflection, deflection=deflection)
 
 
-def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
+def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
     lengths = {path: value for path, value in car.parameters().items() if path.count(".") == 1}
     wrong = [
         finding("parts.length_metres", path, value, length=value)
@@ -307,15 +322,15 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
         mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
         if not isinstance(axle, Axle | WheeledAxle):  # axles of 3-D corners have no springs of their own
             corner = axle.corner
-            weight = car.gravity * (mass + sum(one.mass for one in corner.body_masses().values()))
-            yield from _pressed(
+            weight = car.gravity * (mass + sum(body.mass for body in corner.body_masses().values()))
+            yield from _check_deflection(
                 f"{name}.corner.tyre", static_deflection(corner.tyre, weight), 0.3 * corner.wheel.radius
             )
             continue
         if axle.spring_rate is not None:
-            yield from _frequency(name, axle, mass, axle.spring_rate)
+            yield from _check_frequency(name, axle, mass, axle.spring_rate)
         if isinstance(axle, WheeledAxle):
-            yield from _axle(name, axle, mass, car.gravity)
+            yield from _check_axle(name, axle, mass, car.gravity)
         if isinstance(axle, FullAxle) and body.height is not None and axle.roll_centre_height > body.height:
             yield finding(
                 "parts.roll_centre_high",
@@ -326,7 +341,7 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
             )
 
 
-def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) -> Iterator[Finding]:
+def _check_frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) -> Iterator[Finding]:
     angular = float(np.sqrt(rate / mass))
     frequency = angular / (2.0 * np.pi)
     if not FREQUENCIES[0] <= frequency <= FREQUENCIES[1]:
@@ -339,10 +354,10 @@ def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) ->
             yield finding("parts.body_damping", f"{name}.damping_coefficient", ratio, ratio=ratio)
 
 
-def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
+def _check_at_rest(rig: QuarterCar) -> Iterator[Finding]:
     """A tyre too soft; a gap that was measured from the standing car: here it counts from the undeformed spring."""
     weight = rig.gravity * (rig.sprung.mass + rig.unsprung.mass)
-    yield from _pressed("tyre", static_deflection(rig.tyre, weight), MOST_PRESSED)
+    yield from _check_deflection("tyre", static_deflection(rig.tyre, weight), MOST_PRESSED)
     spring, stop = rig.strut.spring, rig.strut.bump_stop
     if stop is None or spring.rate is None:
         return
@@ -351,9 +366,9 @@ def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
         yield finding("parts.stop_closed_at_rest", "strut.bump_stop.gap", stop.gap, rest=rest)
 
 
-def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
+def _check_axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
     weight = gravity * (mass + axle.unsprung_mass)
-    yield from _pressed(f"{name}.tyre", static_deflection(axle.tyre, weight), MOST_PRESSED)
+    yield from _check_deflection(f"{name}.tyre", static_deflection(axle.tyre, weight), MOST_PRESSED)
     if axle.unsprung_mass > 0.5 * mass:
         yield finding(
             "parts.unsprung_mass",
@@ -368,4 +383,4 @@ def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator
             yield finding("parts.stop_closed_at_rest", f"{name}.bump_stop.gap", axle.bump_stop.gap, rest=rest)
         if axle.rebound_stop is not None and -axle.rebound_stop.gap > rest:
             yield finding("parts.stop_closed_at_rest", f"{name}.rebound_stop.gap", axle.rebound_stop.gap, rest=rest)
-    yield from _driving(f"{name}.damper", axle.damper)
+    yield from _check_driving(f"{name}.damper", axle.damper)

@@ -34,8 +34,8 @@ def _three(value: Any) -> Any:
         what = 'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]'
         raise misplaced((), what, found=as_found(value))
     if len(value) != 3:
-        found = Phrase("{count}: {values}", count=len(value), values=shown(list(value)))
-        raise misplaced((), "three values along x, y and z are needed", found=found)
+        entries = Phrase("{count}: {values}", count=len(value), values=shown(list(value)))
+        raise misplaced((), "three values along x, y and z are needed", found=entries)
     return value
 
 
@@ -54,14 +54,14 @@ DampingTriple = Annotated[
 ]
 
 
-def distance(one: Triple | Array, other: Triple | Array) -> float:
+def distance(first: Triple | Array, second: Triple | Array) -> float:
     """Distance between two points in m."""
-    return math.dist(one, other)
+    return math.dist(first, second)
 
 
-def distance_to_line(point: Triple | Array, one: Triple | Array, other: Triple | Array) -> float:
+def distance_to_line(point: Triple | Array, first: Triple | Array, second: Triple | Array) -> float:
     """Distance in m of a point from the line through two others that differ."""
-    (ax, ay, az), (bx, by, bz) = ([b - a for a, b in zip(one, end, strict=True)] for end in (other, point))
+    (ax, ay, az), (bx, by, bz) = ([b - a for a, b in zip(first, end, strict=True)] for end in (second, point))
     return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / math.hypot(ax, ay, az)
 
 

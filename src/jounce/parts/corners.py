@@ -96,11 +96,11 @@ class Hardpoints(Description):
                 self._refuse_half(group)
         for kind in kinds:
             for group in vars(kind).get("different", ()):
-                for one, other in combinations(group, 2):
-                    self._refuse_equal(one, other)
+                for first, second in combinations(group, 2):
+                    self._refuse_equal(first, second)
         for kind in kinds:
-            for one, other, turned in vars(kind).get("turning", ()):
-                self._refuse_one_line(one, other, turned)
+            for first, second, turned in vars(kind).get("turning", ()):
+                self._refuse_one_line(first, second, turned)
         return self
 
     def at(self, name: str) -> Triple | None:
@@ -138,33 +138,33 @@ class Hardpoints(Description):
         if 0 < len(missing) < len(group):
             raise ValueError(f"{' and '.join(missing)} missing; give all of {', '.join(group)}, or none of them")
 
-    def _refuse_equal(self, one: str, other: str) -> None:
-        a, b = self.at(one), self.at(other)
+    def _refuse_equal(self, first: str, second: str) -> None:
+        a, b = self.at(first), self.at(second)
         if a is None or b is None or distance(a, b) >= SAME_POINT:
             return
-        one, other = (one, other) if getattr(self, other) is not None else (other, one)
+        first, second = (first, second) if getattr(self, second) is not None else (second, first)
         raise misplaced(
-            (other,),
-            Phrase("the same point as {name}", name=one),
-            found=Phrase("{point} for both", point=written(b)),
+            (second,),
+            Phrase("the same point as {name}", name=first),
+            found=Phrase("{point} for both", point=write_point(b)),
             allowed="two points that differ",
             hint="Was a line copied and not changed?",
         )
 
-    def _refuse_one_line(self, one: str, other: str, turned: str) -> None:
-        a, b, c = self.at(one), self.at(other), self.at(turned)
+    def _refuse_one_line(self, start: str, end: str, turned: str) -> None:
+        a, b, c = self.at(start), self.at(end), self.at(turned)
         if a is None or b is None or c is None:
             return
         if distance_to_line(c, a, b) < ON_ONE_LINE * max(distance(a, b), distance(a, c)):
             raise misplaced(
                 (turned,),
-                Phrase("lies on the line through {start} and {end}", start=one, end=other),
-                found=Phrase(written(c)),
+                Phrase("lies on the line through {start} and {end}", start=start, end=end),
+                found=Phrase(write_point(c)),
                 allowed="a point away from it, because it could not rotate about that axis",
             )
 
 
-def written(point: Triple) -> str:
+def write_point(point: Triple) -> str:
     """Write a point as files do, in mm."""
     return "[" + ", ".join(f'"{1e3 * value:g} mm"' for value in point) + "]"
 
@@ -306,18 +306,18 @@ class Corner(Rig):
     def _as_given(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """Leave out what stands in for what the file leaves out: that is how it is read again, and changed."""
         table: dict[str, Any] = dump(self)
-        found = {key: value for key, value in table.items() if key not in ("without", *self.without)}
+        entries = {key: value for key, value in table.items() if key not in ("without", *self.without)}
         if "bodies" in self.without:
-            found.pop("guide", None)
-        if "strut" in found and self.without:
-            found["strut"] = {key: value for key, value in table["strut"].items() if key not in self.without}
-        return found
+            entries.pop("guide", None)
+        if "strut" in entries and self.without:
+            entries["strut"] = {key: value for key, value in table["strut"].items() if key not in self.without}
+        return entries
 
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI; without those that stand in for what the file leaves out."""
-        found = super().parameters()
+        numbers = super().parameters()
         unread = tuple(_STANDING_IN[name] for name in self.without)
-        return {path: value for path, value in found.items() if not path.startswith(unread)} if unread else found
+        return {path: value for path, value in numbers.items() if not path.startswith(unread)} if unread else numbers
 
     @property
     def lacks(self) -> tuple[str, ...]:
@@ -373,8 +373,8 @@ class Corner(Rig):
 
     def body_masses(self) -> dict[str, RigidBody]:
         """Bodies of the suspension that the description holds, by name; the sprung body is not among them."""
-        found = {name: getattr(self.bodies, name) for name in type(self.bodies).model_fields}
-        return {name: body for name, body in found.items() if body is not None}
+        bodies = {name: getattr(self.bodies, name) for name in type(self.bodies).model_fields}
+        return {name: body for name, body in bodies.items() if body is not None}
 
     def mirrored(self) -> Self:
         """Give the same corner of the car's other side: mirrored at y = 0, the rack's travel too.
@@ -393,7 +393,7 @@ class Corner(Rig):
         >>> left.mirrored().mirrored() == left
         True
         """
-        table = _turned_over(self.model_dump(by_alias=True, exclude_none=True))
+        table = _mirror(self.model_dump(by_alias=True, exclude_none=True))
         return type(self).from_table({**table, "side": "right" if self.side == "left" else "left"})
 
     @model_validator(mode="after")
@@ -430,7 +430,9 @@ class Corner(Rig):
                 raise misplaced(
                     ("hardpoints", name),
                     "on the other side of the car than the wheel",
-                    found=Phrase("{point}, the wheel centre has y = {y:g} mm", point=written(point), y=1e3 * centre[1]),
+                    found=Phrase(
+                        "{point}, the wheel centre has y = {y:g} mm", point=write_point(point), y=1e3 * centre[1]
+                    ),
                     allowed="points of one side",
                     hint="Is the sign of y wrong?",
                 )
@@ -504,7 +506,7 @@ class Corner(Rig):
                 raise misplaced(
                     ("hardpoints", name),
                     "off the middle of the car",
-                    found=Phrase(written(getattr(points, name))),
+                    found=Phrase(write_point(getattr(points, name))),
                     allowed="y = 0, where the stem of a T-bar is",
                 )
 
@@ -524,7 +526,7 @@ class Corner(Rig):
             raise misplaced(
                 ("hardpoints", "third_spring_end"),
                 "at or across the middle of the car, where the other end is",
-                found=Phrase(written(end)),
+                found=Phrase(write_point(end)),
                 allowed=Phrase("{least:g} mm from it at least", least=1e3 * _APART),
             )
 
@@ -542,22 +544,22 @@ class Corner(Rig):
         )
 
 
-def _turned_over(table: dict[str, Any]) -> dict[str, Any]:
+def _mirror(table: dict[str, Any]) -> dict[str, Any]:
     """Table of a rig with the sign of everything changed that a mirror at y = 0 changes."""
-    found = dict(table)
+    mirrored = dict(table)
     for key, value in table.items():
         if key == "bushings":
             continue
         if isinstance(value, dict):
-            found[key] = _mirrored_points(value) if key in ("hardpoints", "column") else _turned_over(value)
+            mirrored[key] = _mirror_points(value) if key in ("hardpoints", "column") else _mirror(value)
         elif key in ("centre_of_mass", "joint"):
-            found[key] = (value[0], -value[1], value[2])
+            mirrored[key] = (value[0], -value[1], value[2])
         elif key in ("xy", "yz", "rack_travel"):
-            found[key] = -value
-    return found
+            mirrored[key] = -value
+    return mirrored
 
 
-def _mirrored_points(table: dict[str, Any]) -> dict[str, Any]:
+def _mirror_points(table: dict[str, Any]) -> dict[str, Any]:
     """Points with the sign of y changed, and angles with theirs."""
     return {
         name: -value if isinstance(value, float) else (value[0], -value[1], value[2]) for name, value in table.items()

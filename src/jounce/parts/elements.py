@@ -126,8 +126,8 @@ def require_one(part: Description, *names: str) -> None:
     """Refuse a part that gives none or more than one of the named laws."""
     given = [name for name in names if getattr(part, name) is not None]
     if len(given) != 1:
-        found = Phrase(" and ".join(given) if given else "none of them")
-        raise misplaced((), Phrase("give exactly one of {names}", names=", ".join(names)), found=found)
+        laws = Phrase(" and ".join(given) if given else "none of them")
+        raise misplaced((), Phrase("give exactly one of {names}", names=", ".join(names)), found=laws)
 
 
 class CoilSpring(Description):
@@ -218,10 +218,10 @@ class SteeringColumn(Description):
     def _has_shafts(self) -> Self:
         points = {name: getattr(self, name) for name in ("handwheel", "upper_joint", "lower_joint", "pinion")}
         given = [(name, point) for name, point in points.items() if point is not None]
-        for (one, start), (other, end) in pairwise(given):
+        for (first, start), (second, end) in pairwise(given):
             if math.dist(start, end) < _SHORTEST_SHAFT:
                 raise misplaced(
-                    (other,), Phrase("the same point as {name}", name=one), allowed="the other end of a shaft"
+                    (second,), Phrase("the same point as {name}", name=first), allowed="the other end of a shaft"
                 )
         for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
             bend = _bend(start, middle, end)
@@ -237,8 +237,8 @@ _STEEPEST_JOINT = 60.0  # deg
 
 def _bend(start: Triple, middle: Triple, end: Triple) -> float:
     """Angle between the lines into and out of a point, deg."""
-    one, other = ([b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end)))
-    along = sum(a * b for a, b in zip(one, other, strict=True)) / (math.hypot(*one) * math.hypot(*other))
+    before, after = ([b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end)))
+    along = sum(a * b for a, b in zip(before, after, strict=True)) / (math.hypot(*before) * math.hypot(*after))
     return math.degrees(math.acos(min(max(along, -1.0), 1.0)))
 
 

@@ -120,8 +120,8 @@ def rig_named_in(name: str, file: Path) -> Path:
     try:
         return beside if len(name) < _LONGEST_NAME and beside.is_file() else rig_path(name)
     except DescriptionError as error:
-        found, place = error.where, f"{file}: rig"
-        raise DescriptionError(error.what, where=place, found=found, allowed=error.allowed, hint=error.hint) from None
+        source, place = error.where, f"{file}: rig"
+        raise DescriptionError(error.what, where=place, found=source, allowed=error.allowed, hint=error.hint) from None
 
 
 _LONGEST_NAME = 255
@@ -185,17 +185,20 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
 
 def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any]:
     """Give a vehicle's table with the rigs in place of the names that its axles have as ``corner``."""
-    found = dict(table)
+    vehicle = dict(table)
     for axle in ("front", "rear"):
         entry = table.get(axle)
         if isinstance(entry, dict) and not isinstance(entry.get("corner", {}), dict):
             line = line_of(text, (axle, "corner")) if text else None
             place = below(at_line(where, line) if where else "", f"{axle}.corner")
-            found[axle] = {**entry, "corner": _corner(entry["corner"], Path(where).parent if where else None, place)}
-    return found
+            vehicle[axle] = {
+                **entry,
+                "corner": _read_corner(entry["corner"], Path(where).parent if where else None, place),
+            }
+    return vehicle
 
 
-def _corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
+def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
     """Table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
     if not isinstance(name, str):
         raise DescriptionError("not a corner", where=place, found=repr(name), allowed=_shipped_corners())
@@ -213,8 +216,8 @@ def _corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
     table, text = read_toml(file)
     corners = _corner_models()
     if table.get("model") in {model for models in MODELS.values() for model in models}.difference(corners):
-        found = f"{name}, model {table['model']!r}"
-        raise DescriptionError("not a 3-D corner", where=place, found=found, allowed=", ".join(corners))
+        model = f"{name}, model {table['model']!r}"
+        raise DescriptionError("not a 3-D corner", where=place, found=model, allowed=", ".join(corners))
     rig_from_table(table, where=str(file), text=text)  # its errors are those of its own file
     return table
 
@@ -244,7 +247,7 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
             del parents[0]  # the file gives the strut's stop at its top level
         for i, part in enumerate(parents):
             if isinstance(part, str) and part not in here:
-                here[part] = _written(rig, parents[: i + 1])
+                here[part] = _write_default(rig, parents[: i + 1])
             elif isinstance(here[part], str):  # a corner by its name: its rig takes its place
                 here[part] = tomlkit.parse(rig_text(reduce(getattr, map(str, parents[: i + 1]), rig)))
             here = here[part]
@@ -347,17 +350,17 @@ def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: b
     model = rig_path(like) if like is not None else file if file.is_file() else None
     if model is None:
         return write_atomically(file, rig_text(rig), force=force)
-    text = _moved(read_toml(model)[1], model.parent, file.parent)
+    text = _rebase_corners(read_toml(model)[1], model.parent, file.parent)
     described = rig_from_table(tomllib.loads(text), where=str(file), text=text)
     if type(described) is not type(rig):
         if like is None:  # what is overwritten has nothing to keep
             return write_atomically(file, rig_text(rig), force=force)
-        found = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
-        raise DescriptionError("not a file of the same model", where=str(model), found=found)
+        models = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
+        raise DescriptionError("not a file of the same model", where=str(model), found=models)
     return write_atomically(file, updated_text(text, rig, str(file)), force=force)
 
 
-def _moved(text: str, before: Path, after: Path) -> str:
+def _rebase_corners(text: str, before: Path, after: Path) -> str:
     """Give the text of a vehicle as it says the same from another folder, whose corners may lie beside it."""
     if before.resolve() == after.resolve():
         return text
@@ -372,7 +375,7 @@ def _moved(text: str, before: Path, after: Path) -> str:
     return tomlkit.dumps(document)
 
 
-def _written(rig: Rig, parents: list[str | int]) -> Any:
+def _write_default(rig: Rig, parents: list[str | int]) -> Any:
     """What a part is written as that the file leaves to its default: an empty table, or the whole list of numbers."""
     name = dotted(tuple(parents))
     known = rig.parameters()
@@ -386,14 +389,14 @@ def _as_before(here: Any, key: str | int, value: float, unit: str) -> float | st
         before = here[key]
     except (KeyError, IndexError, TypeError):
         return _quantity(value, unit)
-    found = _NUMBER_AND_UNIT.match(before) if isinstance(before, str) else None
-    if found is None or found[1] == unit or unit == "1":
+    match = _NUMBER_AND_UNIT.match(before) if isinstance(before, str) else None
+    if match is None or match[1] == unit or unit == "1":
         return _quantity(value, unit)
     try:
-        factor = conversion_factor(found[1], unit)
+        factor = conversion_factor(match[1], unit)
     except DescriptionError:
         return _quantity(value, unit)
-    text = f"{float(value) / factor:.12g} {found[1]}"
+    text = f"{float(value) / factor:.12g} {match[1]}"
     return text if to_si(text, unit) == value else _quantity(value, unit)  # to the last bit
 
 

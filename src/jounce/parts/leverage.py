@@ -187,21 +187,21 @@ def _carrier(points: Hardpoints) -> Twist:
         if abs(rise) < 1e-9:
             raise np.linalg.LinAlgError("the arm's axis is vertical or passes the wheel centre")
         return twist[0] / rise, twist[1] / rise
-    rows = [*_held(points), (np.array([0.0, 0.0, 1.0]), centre)]
+    rows = [*_constraint_directions(points), (np.array([0.0, 0.0, 1.0]), centre)]
     matrix = np.array([np.concatenate([along, np.cross(point, along)]) for along, point in rows])
     solved = np.linalg.solve(matrix, np.array([0.0] * 5 + [1.0]))
     return solved[:3], solved[3:]
 
 
-def _held(points: Hardpoints) -> list[tuple[Array, Array]]:
+def _constraint_directions(points: Hardpoints) -> list[tuple[Array, Array]]:
     """Five directions in which points of the upright cannot move: direction and point."""
-    held = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in points.rods]
+    directions = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in points.rods]
     if isinstance(points, McPhersonHardpoints):  # the strut's line passes a fixed point
         top = np.array(points.strut_top)
         line = top - np.array(points.strut_bottom)
         across = np.linalg.svd(line[np.newaxis])[2][1:]
-        held += [(direction, top) for direction in across]
-    return held
+        directions += [(direction, top) for direction in across]
+    return directions
 
 
 def _arm(points: Hardpoints, which: str, carrier: Twist) -> Twist:

@@ -24,20 +24,20 @@ _FEW = 10
 
 def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
     """Give every float of a description by its path, e.g. ``{"tyre.curve.coefficients[1]": 3.0e6}``, SI."""
-    found: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     for name in type(description).model_fields:
-        _collect(getattr(description, name), f"{prefix}{name}", found)
-    return found
+        _collect(getattr(description, name), f"{prefix}{name}", numbers)
+    return numbers
 
 
-def _collect(value: Any, path: str, found: dict[str, float]) -> None:
+def _collect(value: Any, path: str, numbers: dict[str, float]) -> None:
     if isinstance(value, BaseModel):
-        found.update(parameters_of(value, f"{path}."))
+        numbers.update(parameters_of(value, f"{path}."))
     elif isinstance(value, tuple):
         for i, item in enumerate(value):
-            _collect(item, f"{path}[{i}]", found)
+            _collect(item, f"{path}[{i}]", numbers)
     elif isinstance(value, float):
-        found[path] = value
+        numbers[path] = value
 
 
 @remembered
@@ -129,14 +129,14 @@ def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
 def quantity_at(kind: BaseModel, path: str) -> Unit:
     """Unit and range of the number at ``path``; those of a plain number where it has none or they follow an order."""
     here: Any = kind
-    found = Unit("1")
+    quantity = Unit("1")
     for part in split_path(path):
         if isinstance(part, int):
             here = here[part]
             continue
-        found = unit_of_field(type(here).model_fields[part])
+        quantity = unit_of_field(type(here).model_fields[part])
         here = getattr(here, part)
-    return found
+    return quantity
 
 
 def unit_of_field(field: FieldInfo) -> Unit:

@@ -136,8 +136,8 @@ class TesterLimits(Description):
         for name in ("wheel_load", "tyre_rigidity", "frequency"):
             low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
             if low >= high:
-                found = Phrase("{low:g} and {high:g} (SI)", low=low, high=high)
-                raise misplaced((f"{name}_min",), Phrase("not below {name}_max", name=name), found=found)
+                limits = Phrase("{low:g} and {high:g} (SI)", low=low, high=high)
+                raise misplaced((f"{name}_min",), Phrase("not below {name}_max", name=name), found=limits)
         return self
 
 
@@ -214,8 +214,8 @@ class Tester(Description):
                 found=Phrase('kind = "{kind}"', kind=self.kind),
             )
         if self.plate_damping_coefficient is not None and not sprung:
-            found = Phrase('kind = "rigid-plate"')
-            raise misplaced(("plate_damping_coefficient",), "a rigid plate has none", found=found)
+            kind = Phrase('kind = "rigid-plate"')
+            raise misplaced(("plate_damping_coefficient",), "a rigid plate has none", found=kind)
         if self.programme.run_down == "free" and self.drive is None:
             raise misplaced(
                 ("drive",), 'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing'
@@ -277,8 +277,8 @@ def load_tester(name: str | Path) -> Tester:
     ('rigid-plate', 0.003)
     """
     path = chosen_file(name, library(), "tester")
-    found, _ = read_description(Tester, path, SCHEMA)
-    return found if found.name else found.model_copy(update={"name": path.stem})
+    tester, _ = read_description(Tester, path, SCHEMA)
+    return tester if tester.name else tester.model_copy(update={"name": path.stem})
 
 
 CHANNELS = tuple(f"{side}.plate.{name}" for side in Tester.sides for name in ("z", "force", "frequency"))
@@ -295,26 +295,26 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
     ['warning: sampling_frequency: 500 Hz is less than its own limits.sampling_frequency_min, 1000 Hz.']
     """
     start = f"{where}: " if where else ""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     known = set(_paths(tester.model_dump(by_alias=True)))
     for entry in tester.estimated:
         if entry not in known:
             near = nearest_name(entry, known)
             code = "parts.tester_estimated_near" if near else "parts.tester_estimated_unknown"
-            found.append(finding(code, f"{start}estimated", entry=entry, near=near))
+            findings.append(finding(code, f"{start}estimated", entry=entry, near=near))
     for name in tester.columns:
         if name not in (*CHANNELS, "time"):
             near = nearest_name(name, CHANNELS)
             code = "parts.tester_column_near" if near else "parts.tester_column_unknown"
-            found.append(finding(code, f"{start}columns.{name}", near=near))
+            findings.append(finding(code, f"{start}columns.{name}", near=near))
     programme, limits = tester.programme, tester.limits
     if tester.sampling_frequency < limits.sampling_frequency_min:
         frequency, least = tester.sampling_frequency, limits.sampling_frequency_min
         place = f"{start}sampling_frequency"
-        found.append(finding("parts.tester_sampling", place, frequency=frequency, least=least))
+        findings.append(finding("parts.tester_sampling", place, frequency=frequency, least=least))
     if programme.run_down == "controlled" and programme.sweep_rate > limits.sweep_rate_max:
         rate, most = programme.sweep_rate, limits.sweep_rate_max
-        found.append(finding("parts.tester_sweep_rate", f"{start}programme.sweep_rate", rate=rate, most=most))
+        findings.append(finding("parts.tester_sweep_rate", f"{start}programme.sweep_rate", rate=rate, most=most))
     low, high = sorted((programme.start_frequency, programme.end_frequency))
     if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
         numbers: dict[str, Any] = {
@@ -323,8 +323,8 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
             "least": limits.frequency_min,
             "most": limits.frequency_max,
         }
-        found.append(finding("parts.tester_sweep_range", f"{start}programme", **numbers))
-    return found
+        findings.append(finding("parts.tester_sweep_range", f"{start}programme", **numbers))
+    return findings
 
 
 def _paths(table: dict[str, Any], before: str = "") -> Iterator[str]:

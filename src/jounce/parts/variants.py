@@ -103,19 +103,19 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
     rig.require("strut", what="the angle of the strut")
     own = [name for name in _OWN_ENDS if getattr(points, name) is not None]
     if isinstance(rig, McPherson):
-        found = 'model = "mcpherson"'
+        cause = 'model = "mcpherson"'
         problem = "a McPherson strut guides the wheel: turning it would change the whole suspension"
     elif rig.strut.on == "rocker":
-        found = 'strut.on = "rocker"'
+        cause = 'strut.on = "rocker"'
         problem = "the strut is on a rocker: its angle in front view does not decide its leverage"
     elif own:
-        found, moved = ", ".join(f"hardpoints.{name}" for name in own), own[-1]
+        cause, moved = ", ".join(f"hardpoints.{name}" for name in own), own[-1]
         problem = "spring and damper are not on one line, so that no single angle describes them"
         allowed = "rigs that give strut_bottom and strut_top only"
     else:
         return cast(Triple, points.strut_bottom), cast(Triple, points.strut_top)
     hint = f'Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.'
-    raise DescriptionError(problem, where="strut angle", found=found, allowed=allowed, hint=hint)
+    raise DescriptionError(problem, where="strut angle", found=cause, allowed=allowed, hint=hint)
 
 
 _LAW = re.compile(

@@ -202,8 +202,8 @@ def track_width(rig: object) -> float:
     if not isinstance(rig, FullCar | FullCar3D):
         return 0.0
     front, rear = (
-        one.track if isinstance(one, FullAxle) else 2.0 * abs(one.corner.hardpoints.wheel_centre[1])
-        for one in (rig.front, rig.rear)
+        axle.track if isinstance(axle, FullAxle) else 2.0 * abs(axle.corner.hardpoints.wheel_centre[1])
+        for axle in (rig.front, rig.rear)
     )
     return 0.5 * (front + rear)
 
@@ -231,8 +231,8 @@ class HalfCar(Vehicle):
     @property
     def wheels(self) -> dict[str, Place]:
         """Position of each corner's wheel; both axles meet the road at once except in the physical form."""
-        found = super().wheels
-        return found if self.compat == "physical" else {corner: Place(0.0, 0) for corner in found}
+        wheels = super().wheels
+        return wheels if self.compat == "physical" else {corner: Place(0.0, 0) for corner in wheels}
 
 
 class HalfCar4DOF(Vehicle):

@@ -25,8 +25,8 @@ from jounce.parts.importers.drafts import (
     Draft,
     add_wheel,
     as_table,
-    joined,
-    raised,
+    join_bodies,
+    raise_rig,
     rig_of,
     set_on_the_road,
     tensor_of,
@@ -183,9 +183,9 @@ class _Subsystem:
             return self._of_points(model, strut, radius)
         strut.setdefault("on", kind.strut_on[0])
         names = [*kind.needed_bodies, *(("rocker",) if "rocker_pivot" in self.points else ())]
-        found = self._bodies((*kind.needed_bodies, *kind.further_bodies), model)
-        spindle = found.pop("wheel", None)
-        bodies = {**{name: self._estimated(name) for name in names if name not in found}, **found}
+        in_file = self._bodies((*kind.needed_bodies, *kind.further_bodies), model)
+        spindle = in_file.pop("wheel", None)
+        bodies = {**{name: self._estimate_body(name) for name in names if name not in in_file}, **in_file}
         table: dict[str, Any] = {
             "schema": "jounce.rig/1", "model": model, "source": "", "estimated": [], "side": "left",
             "guide": "vertical", "hardpoints": dict(self.points), "bodies": bodies,
@@ -212,12 +212,12 @@ class _Subsystem:
             "wheel": {"radius": radius, **self._angles()}, "strut": strut,
             "hardpoints": dict(self.points), "bodies": {},
         }  # fmt: skip
-        raised(table, radius - float(self.points["wheel_centre"][2]))
+        raise_rig(table, radius - float(self.points["wheel_centre"][2]))
         return table
 
     def _hardpoints(self) -> PointTable:
         table = PointTable(self.file.path, unit="m")
-        for block in self.file.named("HARDPOINT"):
+        for block in self.file.blocks_of("HARDPOINT"):
             for cells, where in block.rows:
                 if len(cells) != 5 or cells[1].lower() not in _SYMMETRIES:
                     raise DescriptionError(
@@ -243,20 +243,20 @@ class _Subsystem:
     def _angles(self) -> dict[str, float]:
         """Camber and toe in rad: of the left side, where both differ."""
         unit = self.file.unit("ANGLE")
-        found = {"camber": 0.0, "toe": 0.0}
-        for block in self.file.named("PARAMETER"):
+        angles = {"camber": 0.0, "toe": 0.0}
+        for block in self.file.blocks_of("PARAMETER"):
             for cells, where in block.rows:
                 name = cells[0].lower().removesuffix("_angle")
-                if len(cells) >= 4 and name in found and cells[1].lower() != "right":
-                    found[name] = unit * number(cells[3], where)
-        return found
+                if len(cells) >= 4 and name in angles and cells[1].lower() != "right":
+                    angles[name] = unit * number(cells[3], where)
+        return angles
 
     def _bodies(self, names: tuple[str, ...], model: str) -> dict[str, dict[str, Any]]:
         """Tables of the bodies that the file holds; parts that are one body here are joined."""
-        found: dict[str, dict[str, Any]] = {}
+        bodies: dict[str, dict[str, Any]] = {}
         left: list[str] = []
         seen: dict[str, str] = {}
-        for part in self.file.named("PART_ASSEMBLY"):
+        for part in self.file.blocks_of("PART_ASSEMBLY"):
             if part.values.get("SYMMETRY", "").lower() == "right":
                 continue
             if part.usage and seen.setdefault(part.usage, part.where) != part.where:
@@ -271,27 +271,27 @@ class _Subsystem:
                 left.append(f"{part.usage} ({part.number('MASS', 0.0) * self.mass:.4g} kg)")
                 continue
             body = self._body(name, part)
-            before = found.get(name)
-            found[name] = (
-                body if before is None else joined(before, body["mass"], body["centre_of_mass"], tensor_of(body))
+            before = bodies.get(name)
+            bodies[name] = (
+                body if before is None else join_bodies(before, body["mass"], body["centre_of_mass"], tensor_of(body))
             )
         if left:
             self.draft.note("parts.import_parts_left_out", self.draft.at("PART_ASSEMBLY"), names=", ".join(left))
-        return found
+        return bodies
 
     def _body(self, name: str, part: Block) -> dict[str, Any]:
         """Mass, centre and inertia of a part in our axes; dependent frames stand in comments."""
-        told = {}
+        texts = {}
         for comment in part.comments:
             if match := _POINT.search(comment):
-                told["place"] = match[1]
+                texts["place"] = match[1]
             elif match := _VECTOR.search(comment):
-                told[match[1].lower()] = match[2]
+                texts[match[1].lower()] = match[2]
 
         def triple(key: str, *names: str) -> Array | None:
-            if all(one in part.values for one in names):
-                return np.array([part.number(one) for one in names])
-            words = told.get(key, "").split(",")
+            if all(entry in part.values for entry in names):
+                return np.array([part.number(entry) for entry in names])
+            words = texts.get(key, "").split(",")
             return np.array([number(word.strip(), part.where) for word in words]) if len(words) == 3 else None
 
         place = triple("place", "PART_LOC_X", "PART_LOC_Y", "PART_LOC_Z")
@@ -303,7 +303,7 @@ class _Subsystem:
         if place is None or z is None or x is None or not has_inertia:
             code = "parts.import_frame_unknown" if has_inertia else "parts.import_inertia_unknown"
             self.draft.note(code, self.draft.at(f"PART_ASSEMBLY {part.usage}"))
-            return self._estimated(name, mass)
+            return self._estimate_body(name, mass)
         frame = _frame(x, z, part.where)
         centre = self.length * (place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"])
         xx, yy, zz, xy, zx, yz = (part.number(key, 0.0) for key in ("IXX", "IYY", "IZZ", "IXY", "IZX", "IYZ"))
@@ -320,7 +320,7 @@ class _Subsystem:
             tensor = axes @ np.diag([low, middle, min(moments[2], low + middle)]) @ axes.T
         return as_table(mass, _OURS @ centre, 0.5 * (tensor + tensor.T))
 
-    def _estimated(self, name: str, mass: float | None = None) -> dict[str, Any]:
+    def _estimate_body(self, name: str, mass: float | None = None) -> dict[str, Any]:
         """A body of estimated inertia (and mass): a ball as large as its points are apart, in their middle."""
         places = np.array([self.points[point] for point in _CORNERS.get(name, ()) if point in self.points])
         if not len(places):
@@ -338,8 +338,8 @@ class _Subsystem:
 
     def _element(self, name: str, *words: str) -> Block | None:
         """The first force element whose usage has one of some words, or the first of all."""
-        found = [one for one in self.file.named(name) if one.values.get("SYMMETRY", "").lower() != "right"]
-        chosen = next((one for one in found if any(word in one.usage for word in words)), None)
+        blocks = [block for block in self.file.blocks_of(name) if block.values.get("SYMMETRY", "").lower() != "right"]
+        chosen = next((block for block in blocks if any(word in block.usage for word in words)), None)
         if chosen is not None:
             self._used.add(chosen.where)
         return chosen
@@ -395,9 +395,9 @@ class _Subsystem:
             self._missing("strut.damper", block, "parts.import_damper_assumed", coefficient=_DAMPING)
             self.draft.estimated.append("strut.damper.coefficient")
             return {"coefficient": _DAMPING}
-        found = read_teim_orbit(file)
-        length = found.unit("LENGTH")
-        velocity, force = found.first("CURVE").curve(length / found.unit("TIME"), found.unit("FORCE"))
+        properties = read_teim_orbit(file)
+        length = properties.unit("LENGTH")
+        velocity, force = properties.first("CURVE").curve(length / properties.unit("TIME"), properties.unit("FORCE"))
         return {"kind": "table", "velocity": -velocity[::-1], "force": -force[::-1]}  # rebound is positive there
 
     def _stops(self) -> dict[str, Any]:
@@ -410,8 +410,8 @@ class _Subsystem:
             if file is None:
                 self._missing(f"strut.{stop}", block, "parts.import_no_stop")
                 continue
-            found = read_teim_orbit(file)
-            depth, force = found.first("CURVE").curve(found.unit("LENGTH"), found.unit("FORCE"))
+            properties = read_teim_orbit(file)
+            depth, force = properties.first("CURVE").curve(properties.unit("LENGTH"), properties.unit("FORCE"))
             law, worst = _stop_law(depth, force, file)
             gap = self.length * block.number("USER_DISTANCE")
             if block.values.get("DISTANCE_TYPE", "clearance").lower() != "clearance":
@@ -423,27 +423,27 @@ class _Subsystem:
 
     def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
         """Bushings at the hardpoints that may have one, where their property files are."""
-        found: dict[str, dict[str, Any]] = {}
+        bushings: dict[str, dict[str, Any]] = {}
         known = known_names()
-        for block in self.file.named("BUSHING_ASSEMBLY"):
+        for block in self.file.blocks_of("BUSHING_ASSEMBLY"):
             point = self.names.get(block.usage, known.get(block.usage.replace("_", " "), ""))
             file = self._property(block)
             if block.values.get("SYMMETRY", "").lower() == "right" or point not in allowed or file is None:
                 continue
             self._used.add(block.where)
             scales = [block.number(f"{axis}_SCALING_FACTOR", 1.0) for axis in _SIX]
-            found[point], worst = _bushing_file(file, scales)
+            bushings[point], worst = _bushing_file(file, scales)
             self.draft.note("parts.import_bushing", self.draft.at(f"bushings.{point}"), worst, worst=worst)
             loads = [key for key in block.values if "PRELOAD" in key and block.number(key) != 0.0]
             if loads:
                 self.draft.note(
                     "parts.import_loads_left_out", self.draft.at(f"bushings.{point}"), names=", ".join(loads)
                 )
-        return found
+        return bushings
 
     def _note_rest(self) -> None:
         """What the file holds and the rig does not."""
-        bushings = {block.usage for block in self.file.named("BUSHING_ASSEMBLY") if block.where not in self._used}
+        bushings = {block.usage for block in self.file.blocks_of("BUSHING_ASSEMBLY") if block.where not in self._used}
         if bushings:
             names = ", ".join(sorted(bushings))
             self.draft.findings.append(
@@ -473,32 +473,32 @@ def _spring_file(file: Path) -> tuple[float, Array, Array]:
     """Free length (m), deflection (m) and force (N), both positive in compression, of a ``.spr``, text or XML."""
     if file.suffix.lower() == ".xml":
         return _xml_spring(file)
-    found = read_teim_orbit(file)
-    length = found.unit("LENGTH")
-    deflection, force = found.first("CURVE").curve(length, found.unit("FORCE"))
-    return length * found.first("SPRING_DATA").number("FREE_LENGTH"), deflection, force
+    properties = read_teim_orbit(file)
+    length = properties.unit("LENGTH")
+    deflection, force = properties.first("CURVE").curve(length, properties.unit("FORCE"))
+    return length * properties.first("SPRING_DATA").number("FREE_LENGTH"), deflection, force
 
 
 def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], float]:
     """Table of a bushing from a ``.bus``, and how far its curves are from straight lines (share of their largest)."""
-    found = read_teim_orbit(file)
-    length, force, angle, time = (found.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME"))
+    properties = read_teim_orbit(file)
+    length, force, angle, time = (properties.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME"))
     units = [(length, force)] * 3 + [(angle, force * length)] * 3
     slopes, worst = [], 0.0
     for axis, scale, (along, across) in zip(_SIX, scales, units, strict=True):
-        x, y = found.first(f"{axis}_CURVE").curve(along, across)
+        x, y = properties.first(f"{axis}_CURVE").curve(along, across)
         if not x[0] <= 0.0 <= x[-1]:
-            raise DescriptionError("the curve does not reach zero", where=found.first(f"{axis}_CURVE").where)
+            raise DescriptionError("the curve does not reach zero", where=properties.first(f"{axis}_CURVE").where)
         step = 1e-3 * (x[-1] - x[0])
         ends = np.clip([-step, step], x[0], x[-1])
         low, high = np.interp(ends, x, y)
         slope = (high - low) / (ends[1] - ends[0])
         if slope < 0.0:
-            raise DescriptionError("a bushing that pushes away", where=found.first(f"{axis}_CURVE").where)
+            raise DescriptionError("a bushing that pushes away", where=properties.first(f"{axis}_CURVE").where)
         slopes.append(scale * float(slope))
         largest = float(np.abs(y).max())
         worst = max(worst, float(np.abs(y - slope * x).max()) / largest if largest else 0.0)
-    damping = found.named("DAMPING")
+    damping = properties.blocks_of("DAMPING")
     given = [damping[0].number(f"{axis}_DAMPING", 0.0) if damping else 0.0 for axis in _SIX[:3]]
     table = {"stiffness": slopes[:3], "rotational_stiffness": slopes[3:]}
     return table | {"damping": [value * force * time / length for value in given]}, worst
@@ -510,17 +510,19 @@ def _xml_spring(file: Path) -> tuple[float, Array, Array]:
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(f"not XML of a spring: {error}", where=str(file)) from None
     units = {
-        one.get("name", "").upper(): one.get("current", "") for one in root.iter() if one.tag.endswith("UnitSetting")
+        element.get("name", "").upper(): element.get("current", "")
+        for element in root.iter()
+        if element.tag.endswith("UnitSetting")
     }
-    spring = next((one for one in root.iter() if one.tag.endswith("SpringProperties")), None)
+    spring = next((element for element in root.iter() if element.tag.endswith("SpringProperties")), None)
     if spring is None:
         raise DescriptionError("no spring is in it", where=str(file), allowed="SpringProperties")
-    told = TeimOrbit(file, [Block("UNITS", str(file), units)])
-    length, force = told.unit("LENGTH"), told.unit("FORCE")
+    properties = TeimOrbit(file, [Block("UNITS", str(file), units)])
+    length, force = properties.unit("LENGTH"), properties.unit("FORCE")
     text = "".join(spring.itertext())
     rows = [(line.split(), str(file)) for line in text.splitlines() if line.strip()]
-    found = Block("CURVE", str(file), rows=rows).curve(length, force)
-    return length * number(spring.get("freeLength", ""), f"{file}: freeLength"), *found
+    curve = Block("CURVE", str(file), rows=rows).curve(length, force)
+    return length * number(spring.get("freeLength", ""), f"{file}: freeLength"), *curve
 
 
 def _stop_law(depth: Array, force: Array, file: Path) -> tuple[dict[str, float], float]:

@@ -16,7 +16,7 @@ from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table, rig_text
 from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, ascending, damper_map
-from jounce.parts.importers.drafts import Draft, add_wheel, as_table, joined, rig_of, set_on_the_road, tensor_of
+from jounce.parts.importers.drafts import Draft, add_wheel, as_table, join_bodies, rig_of, set_on_the_road, tensor_of
 
 DESIGN = np.eye(3)
 
@@ -35,10 +35,10 @@ def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
     return np.column_stack([np.cross(side, along), side, along])
 
 
-def about_axis(table: dict[str, Any], one: Array, other: Array) -> float:
+def about_axis(table: dict[str, Any], start: Array, end: Array) -> float:
     """Moment of inertia of a body's table about the line through two points in kg m^2."""
-    axis = (other - one) / np.linalg.norm(other - one)
-    away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - one))
+    axis = (end - start) / np.linalg.norm(end - start)
+    away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - start))
     return float(axis @ tensor_of(table) @ axis + table["mass"] * away**2)
 
 
@@ -68,12 +68,12 @@ def spring_table(file: ChronoFile) -> dict[str, Any]:
 def damper_table(file: ChronoFile) -> dict[str, Any]:
     """Table of ``strut.damper``: linear, through points of velocity, or a map over length and velocity."""
     if file.has("Shock", "Map Data"):
-        found = damper_map(file)
+        grid = damper_map(file)
         return {
             "kind": "map",
-            "length": found.length + file.number("Shock", "Free Length", 0.0),
-            "velocity": -found.velocity[::-1],
-            "force": -found.force.T[:, ::-1],
+            "length": grid.length + file.number("Shock", "Free Length", 0.0),
+            "velocity": -grid.velocity[::-1],
+            "force": -grid.force.T[:, ::-1],
         }
     key = "Curve Data" if file.has("Shock", "Curve Data") else "Damping Curve Data"
     if file.has("Shock", key):
@@ -240,7 +240,7 @@ def _five_link(reading: ChronoReading) -> dict[str, Any]:
     lever = distance_to_line(points["link_1_outer"], *ends)
     share = about_axis(arm, *ends) / lever**2
     reading.note("parts.import_arm_as_links", file.at("Upper Arm"), share, share=share, mass=arm["mass"])
-    bodies = {"upright": joined(upright, share, points["link_1_outer"], np.zeros((3, 3))), **links}
+    bodies = {"upright": join_bodies(upright, share, points["link_1_outer"], np.zeros((3, 3))), **links}
     reading.add_tie_rod(bodies, "link_5")
     return _head(reading, "five-link", bodies, "link_4")
 

@@ -80,10 +80,10 @@ class ChronoFile:
     @property
     def name(self) -> str:
         """Name in the file, or the file's own."""
-        found = self.table.get("Name", self.path.stem)
-        if not isinstance(found, str):
-            raise DescriptionError("not a name", where=self.at("Name"), found=found, allowed="text")
-        return found
+        name = self.table.get("Name", self.path.stem)
+        if not isinstance(name, str):
+            raise DescriptionError("not a name", where=self.at("Name"), found=name, allowed="text")
+        return name
 
     def at(self, *keys: str) -> str:
         """Place of a value, for messages."""
@@ -111,14 +111,14 @@ class ChronoFile:
 
     def numbers(self, section: str, key: str, shape: tuple[int, ...]) -> Array:
         """Finite numbers of a shape; -1 in it means any number."""
-        return self._checked(self.value(section, key), self.at(section, key), shape)
+        return self._check_numbers(self.value(section, key), self.at(section, key), shape)
 
     def positive(self, section: str, key: str) -> float:
         """One number above zero."""
-        found = float(self.numbers(section, key, ()))
-        if not found > 0.0:
-            raise DescriptionError("out of range", where=self.at(section, key), found=found, allowed="above 0")
-        return found
+        value = float(self.numbers(section, key, ()))
+        if not value > 0.0:
+            raise DescriptionError("out of range", where=self.at(section, key), found=value, allowed="above 0")
+        return value
 
     def number(self, section: str, key: str, default: float) -> float:
         """One number that may be left out."""
@@ -126,7 +126,7 @@ class ChronoFile:
 
     def angle(self, key: str) -> float:
         """Angle of the top level, written in degrees, in rad; 0 when it is left out."""
-        return float(np.radians(self._checked(self.table.get(key, 0.0), self.at(key), ())))
+        return float(np.radians(self._check_numbers(self.table.get(key, 0.0), self.at(key), ())))
 
     def part(self, section: str, *, centre: Array | None = None) -> RigidPart:
         """Mass properties of a body; ``centre`` (m) where the file does not give it."""
@@ -145,28 +145,28 @@ class ChronoFile:
         ascending(points[:, 0], self.at(section, key))
         return points[:, 0], points[:, 1]
 
-    def _checked(self, value: Any, where: str, shape: tuple[int, ...]) -> Array:
+    def _check_numbers(self, value: Any, where: str, shape: tuple[int, ...]) -> Array:
         try:
-            found = np.asarray(value, dtype=float)
+            numbers = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
             raise DescriptionError("not a regular list of numbers", where=where) from None
-        fits = found.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, found.shape, strict=True))
-        if not fits or not np.isfinite(found).all() or _has_truth(value):
+        fits = numbers.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, numbers.shape, strict=True))
+        if not fits or not np.isfinite(numbers).all() or _has_truth(value):
             wanted = " x ".join("n" if n < 0 else str(n) for n in shape) or "one"
             raise DescriptionError(
                 "not the numbers that belong here",
                 where=where,
-                found=f"shape {found.shape}",
+                found=f"shape {numbers.shape}",
                 allowed=f"{wanted} finite numbers",
             )
-        if np.abs(found).max(initial=0.0) > LARGEST:
+        if np.abs(numbers).max(initial=0.0) > LARGEST:
             raise DescriptionError(
                 "not a size that anything has",
                 where=where,
-                found=float(np.abs(found).max()),
+                found=float(np.abs(numbers).max()),
                 allowed=f"sizes up to {LARGEST:g}",
             )
-        return found
+        return numbers
 
 
 def ascending(values: Array, where: str) -> None:
@@ -185,7 +185,7 @@ def read_json(path: Path) -> dict[str, Any]:
         text = description_text(path)
     except UnicodeDecodeError:
         raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
-    blank = _COMMENT.sub(lambda found: found[1] or re.sub(r"[^\n]", " ", found[0]), text)
+    blank = _COMMENT.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match[0]), text)
     try:
         table = json.loads(blank)
     except json.JSONDecodeError as error:
@@ -283,9 +283,9 @@ class ChronoCorner(Shown):
     spring_longest: float
     damper: DamperMap
 
-    def distance(self, one: str, other: str) -> float:
+    def distance(self, first: str, second: str) -> float:
         """Distance between two hardpoints at design position in m."""
-        return float(np.linalg.norm(self.points[one] - self.points[other]))
+        return float(np.linalg.norm(self.points[first] - self.points[second]))
 
 
 def shipped_corner() -> ChronoCorner:

@@ -44,12 +44,12 @@ def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
     return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
 
 
-def joined(one: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
+def join_bodies(body: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
     """Table of a body and another one that is fixed to it (kg, m, kg m^2)."""
-    masses, centres = (one["mass"], mass), (np.array(one["centre_of_mass"]), centre)
+    masses, centres = (body["mass"], mass), (np.array(body["centre_of_mass"]), centre)
     whole = masses[0] + masses[1]
     middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
-    total = tensor_of(one) + tensor
+    total = tensor_of(body) + tensor
     for part, place in zip(masses, centres, strict=True):
         away = place - middle
         total = total + part * ((away @ away) * np.eye(3) - np.outer(away, away))
@@ -87,24 +87,24 @@ def add_wheel(
     centre = table["hardpoints"]["wheel_centre"]
     # the inertia of rim and tyre is estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it
     inertia = rolling * radius**2 * np.diag([0.35, 0.6, 0.35])
-    whole = as_table(rolling, centre, inertia) if spindle is None else joined(spindle, rolling, centre, inertia)
+    whole = as_table(rolling, centre, inertia) if spindle is None else join_bodies(spindle, rolling, centre, inertia)
     table["bodies"]["wheel"] = whole
     table["tyre"] = {"stiffness": TYRE_STIFFNESS if stiffness is None else stiffness}
 
 
 def set_on_the_road(draft: Draft, table: dict[str, Any], sprung_mass: float | None) -> None:
     """Find the sprung mass, then move everything up until the tyre carries the corner."""
-    raised(table, table["wheel"]["radius"] - table["hardpoints"]["wheel_centre"][2])
+    raise_rig(table, table["wheel"]["radius"] - table["hardpoints"]["wheel_centre"][2])
     table["sprung"] = {"mass": SPRUNG_MASS if sprung_mass is None else sprung_mass}
     rig = rig_of(draft, table)
     if sprung_mass is None:
         draft.estimated.append("sprung.mass")
-        table["sprung"]["mass"] = _carried(draft, rig)
+        table["sprung"]["mass"] = _estimate_sprung_mass(draft, rig)
         rig = rig_of(draft, table)
-    raised(table, -static_tyre_deflection(rig))
+    raise_rig(table, -static_tyre_deflection(rig))
 
 
-def _carried(draft: Draft, rig: Corner) -> float:
+def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
     """Sprung mass in kg that spring and stops hold at design position, or the general estimate."""
     try:
         ratio = motion_ratio(rig)
@@ -132,7 +132,7 @@ def rig_of(draft: Draft, table: dict[str, Any]) -> Corner:
     return cast(Corner, rig_from_table(plain(table), where=str(draft.path)))
 
 
-def raised(table: dict[str, Any], height: float) -> None:
+def raise_rig(table: dict[str, Any], height: float) -> None:
     """Move a rig up by a height in m."""
     up = np.array([0.0, 0.0, round(height, 6)])
     table["hardpoints"] = {name: point + up for name, point in table["hardpoints"].items()}

@@ -172,7 +172,7 @@ def _read(file: Path) -> PointTable:
         text = _text(file)
         whole = from_vsusp(file, text) or (from_nested(file, text) if file.suffix.lower() in _NESTED else None)
         if whole is not None:
-            whole.unit = _known_unit(whole.unit, str(file)) if whole.unit else ""
+            whole.unit = _resolve_unit(whole.unit, str(file)) if whole.unit else ""
             return whole
     columns: list[int] = []
     width = 0
@@ -196,13 +196,13 @@ def _read(file: Path) -> PointTable:
         row = _row(cells, columns, where)
         if row is not None:
             table.rows.append(row)
-        elif told := _UNIT_LINE.fullmatch(" ".join(cells).strip()):
-            _keep_unit(table, _known_unit(told[1], where), where)
+        elif unit_line := _UNIT_LINE.fullmatch(" ".join(cells).strip()):
+            _keep_unit(table, _resolve_unit(unit_line[1], where), where)
         elif (
             columns
-            and len(told_by := {unit for cell in cells if (unit := cell.strip("[]() ").lower())} & {*_UNITS}) == 1
+            and len(row_units := {unit for cell in cells if (unit := cell.strip("[]() ").lower())} & {*_UNITS}) == 1
         ):
-            _keep_unit(table, _UNITS[told_by.pop()], where)  # a row of units under that of names
+            _keep_unit(table, _UNITS[row_units.pop()], where)  # a row of units under that of names
         elif any(map(_is_number, cells)):
             table.unread.append((where, cells))
     if not table.rows:
@@ -296,23 +296,23 @@ def _is_number(text: str) -> bool:
 
 def _header(cells: list[str]) -> tuple[list[int], str] | None:
     """Columns of x, y and z with their unit, where these cells name them."""
-    found: dict[str, int] = {}
+    columns: dict[str, int] = {}
     units = set()
     for index, cell in enumerate(cells):
         word = re.sub(r"[\[(].*", "", cell).strip(" {}").lower().replace("_", " ")
         axis = re.fullmatch(r"([xyz])(?: value| coord| coordinate| position| location)?(?: ([a-z]+))?", word)
-        if axis and axis[1] not in found and (not axis[2] or axis[2] in _UNITS):
-            found[axis[1]] = index
+        if axis and axis[1] not in columns and (not axis[2] or axis[2] in _UNITS):
+            columns[axis[1]] = index
             inside = _UNIT_IN.search(cell)
             units |= {inside[1]} if inside else {axis[2]} if axis[2] else set()
-    if set(found) != {"x", "y", "z"}:
+    if set(columns) != {"x", "y", "z"}:
         return None
     if len(units) > 1:
         raise DescriptionError("columns in different units", where="header", found=", ".join(sorted(units)))
-    return [found[axis] for axis in "xyz"], _known_unit(units.pop(), "header") if units else ""
+    return [columns[axis] for axis in "xyz"], _resolve_unit(units.pop(), "header") if units else ""
 
 
-def _known_unit(text: str, where: str) -> str:
+def _resolve_unit(text: str, where: str) -> str:
     if text.lower() not in _UNITS:
         raise unknown(text, sorted({*_UNITS.values()}), what="unit", where=where)
     return _UNITS[text.lower()]
@@ -323,11 +323,11 @@ def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
     if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
         words = [cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)]
         words = words or [cell for i, cell in enumerate(cells) if i not in columns and cell and not _is_number(cell)]
-        told = [word for word in words if _plain(word) in (*_SIDES, *_CORNERS)]  # a column beside that of names
-        names = [word for word in words if word not in told]
+        places = [word for word in words if _plain(word) in (*_SIDES, *_CORNERS)]  # a column beside that of names
+        names = [word for word in words if word not in places]
         if not names:
             return None
-        name = f"{names[0]} {told[0]}" if told and not _sorted_out(names[0])[2] else names[0]
+        name = f"{names[0]} {places[0]}" if places and not _sort_out(names[0])[2] else names[0]
         return PointRow(name, _numbers([cells[i] for i in columns]), where)
     numeric = [_is_number(cell) for cell in cells]
     runs = [i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])]
@@ -362,10 +362,10 @@ def _plain(name: str) -> str:
     return " ".join(re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()))
 
 
-def _sorted_out(name: str) -> tuple[str, str, str]:
+def _sort_out(name: str) -> tuple[str, str, str]:
     """Plain name without what says its corner, axle and side.
 
-    >>> _sorted_out("CHAS_LowFor_L"), _sorted_out("hpr_lca_front"), _sorted_out("Left tie rod inner")
+    >>> _sort_out("CHAS_LowFor_L"), _sort_out("hpr_lca_front"), _sort_out("Left tie rod inner")
     (('chas low for', '', 'left'), ('lca front', '', 'right'), ('tie rod inner', '', 'left'))
     """
     words = _plain(name).split()
@@ -386,16 +386,16 @@ def _sorted_out(name: str) -> tuple[str, str, str]:
 
 def known_names() -> dict[str, str]:
     """Plain name of a point to ours: those of all rig files, and those of other programs."""
-    found: dict[str, str] = {}
+    names: dict[str, str] = {}
     for kind in Corner.__subclasses__():
         points = kind.model_fields["hardpoints"].annotation
-        found |= {name.replace("_", " "): name for name in getattr(points, "model_fields", {})}
+        names |= {name.replace("_", " "): name for name in getattr(points, "model_fields", {})}
     for ours, theirs in _NAMES.items():
-        found |= dict.fromkeys(theirs.split("|"), ours)
-    return found | {theirs: ours for ours, theirs in _EXPLORER.items()}
+        names |= dict.fromkeys(theirs.split("|"), ours)
+    return names | {theirs: ours for ours, theirs in _EXPLORER.items()}
 
 
-def _needed(model: str) -> list[str]:
+def _required_points(model: str) -> list[str]:
     """Points that a suspension cannot do without."""
     points: Any = RIGS[model].model_fields["hardpoints"].annotation
     return [name for name, info in points.model_fields.items() if info.is_required()]
@@ -403,7 +403,7 @@ def _needed(model: str) -> list[str]:
 
 def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
     """Points that it needs and has not; a strut has two ends or none."""
-    needed = [*_needed(model), *(_STRUT if any(end in points for end in _STRUT) else ())]
+    needed = [*_required_points(model), *(_STRUT if any(end in points for end in _STRUT) else ())]
     return [name for name in dict.fromkeys(needed) if name not in points]
 
 
@@ -418,27 +418,27 @@ class PointReading:
         self.axle_end: Array | None = None
         self._both: Mapping[str, Mapping[str, PointRow]] = {}
         self.radius = table.radius.get(axle or "", next(iter(table.radius.values()), None))
-        self.points = self._chosen(side, axle, names)
+        self.points = self._choose(side, axle, names)
 
     def note(self, code: str, value: float | None = None, /, **numbers: Any) -> None:
         """Add a finding, of a row of the catalogue."""
         self.findings.append(finding(code, str(self.file), value, **numbers))
 
-    def _chosen(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
+    def _choose(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
         """Points of the wanted corner by our names."""
         own = {_plain(theirs): ours for theirs, ours in names.items()}
         known = known_names()
         for theirs, ours in names.items():
             if ours not in known.values():
                 raise unknown(ours, set(known.values()), what="hardpoint", where=f"name {theirs}")
-            if not any(_plain(theirs) in (_plain(row.name), _sorted_out(row.name)[0]) for row in self.table.rows):
+            if not any(_plain(theirs) in (_plain(row.name), _sort_out(row.name)[0]) for row in self.table.rows):
                 raise unknown(theirs, [row.name for row in self.table.rows], what="name", where=str(self.file))
-        sorted_out = [(row, *_sorted_out(row.name)) for row in self.table.rows]
-        axles = {found for _, _, found, _ in sorted_out if found}
+        sorted_out = [(row, *_sort_out(row.name)) for row in self.table.rows]
+        axles = {of_axle for _, _, of_axle, _ in sorted_out if of_axle}
         if axle is None and len(axles) > 1:
             hint = "Say which one is read: --axle front or rear."
             raise DescriptionError("the table holds two axles", where=str(self.file), hint=hint)
-        has_both = {found for _, _, _, found in sorted_out if found} == {"left", "right"}
+        has_both = {of_side for _, _, _, of_side in sorted_out if of_side} == {"left", "right"}
         corners: dict[str, dict[str, PointRow]] = {"left": {}, "right": {}}
         unused = []
         for row, plain, of_axle, of_side in sorted_out:
@@ -459,9 +459,7 @@ class PointReading:
         self.findings += [at_place(str(self.file), item) for item in self.table.notes]
         self.estimated += self.table.estimated
         for where, cells in self.table.unread:
-            meant = next(
-                (cell for cell in cells if _plain(cell) in own or _sorted_out(cell)[0] in (*own, *known)), None
-            )
+            meant = next((cell for cell in cells if _plain(cell) in own or _sort_out(cell)[0] in (*own, *known)), None)
             if meant is not None:
                 text, three = "a hardpoint without three coordinates", "a name and three numbers"
                 raise DescriptionError(
@@ -551,7 +549,7 @@ class PointReading:
             if sign in has:
                 return name
         lacks = {name: _missing(name, has) for name in (*dict.fromkeys(signs.values()),)}
-        near = min(lacks, key=lambda name: len(lacks[name]) / len(_needed(name)))
+        near = min(lacks, key=lambda name: len(lacks[name]) / len(_required_points(name)))
         known = f"The nearest is a {near}, of which {', '.join(lacks[near])} are missing. " if has else ""
         raise DescriptionError(
             "no suspension has these points",

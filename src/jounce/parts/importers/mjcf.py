@@ -116,38 +116,38 @@ class _Tree:
         if file.stat().st_size > _LARGEST:
             raise DescriptionError("too large for a suspension", where=str(file), allowed="up to 20 MB")
         self.file, self.names, self.draft = file, names, Draft(file)
-        self.root = _parsed(file)
+        self.root = _parse(file)
         given: dict[str, str] = {}
         for compiler in self.root.findall("compiler"):  # several count as one
             given |= compiler.attrib
         self._turn = 1.0 if given.get("angle", "degree") == "radian" else np.pi / 180.0
         self._order = given.get("eulerseq", "xyz")
         if not re.fullmatch(r"[xyz]{3}|[XYZ]{3}", self._order):
-            raise self._refused("an order of angles that is not read", self._order, "xyz, XYZ and the like", "eulerseq")
+            raise self._refusal("an order of angles that is not read", self._order, "xyz, XYZ and the like", "eulerseq")
         if given.get("coordinate", "local") != "local":
-            raise self._refused(
+            raise self._refusal(
                 "places in global coordinates", given["coordinate"], "local ones, as MuJoCo has since 2.3"
             )
         for word, without in _CHANGING.items():
             if given.get(word, without) != without and not _is_zero(given[word]):
-                raise self._refused(
+                raise self._refusal(
                     "masses that are not those of the bodies", f"{word} = {given[word]}", without, "compiler"
                 )
         self._defaults: dict[str, dict[str, dict[str, str]]] = {"": {}}
-        for one in self.root.findall("default"):
-            self._keep_defaults(one, "", 0)
-            self._defaults[""] = self._defaults[one.get("class", "main")]  # the outermost class is everybody's
+        for element in self.root.findall("default"):
+            self._keep_defaults(element, "", 0)
+            self._defaults[""] = self._defaults[element.get("class", "main")]  # the outermost class is everybody's
         self.sites: dict[str, tuple[Array, str]] = {}
         self.axle_end: Array | None = None
         self._known = known_names()
         self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
         worlds = self.root.findall("worldbody")
         if not worlds:
-            raise self._refused("no MJCF", None, "an element worldbody")
+            raise self._refusal("no MJCF", None, "an element worldbody")
         for world in worlds:
             self._walk(world, "world", "", 0)
 
-    def _refused(self, what: str, found: object, allowed: str, where: str = "") -> DescriptionError:
+    def _refusal(self, what: str, found: object, allowed: str, where: str = "") -> DescriptionError:
         return DescriptionError(
             what, where=f"{self.file}: {where}" if where else str(self.file), found=found, allowed=allowed
         )
@@ -157,7 +157,7 @@ class _Tree:
     def _keep_defaults(self, element: ET.Element, above: str, depth: int) -> None:
         """Attributes of elements by class and tag; classes within a class begin with what it says."""
         if depth > _DEEPEST:
-            raise self._refused("classes nested too deeply", depth, f"up to {_DEEPEST}")
+            raise self._refusal("classes nested too deeply", depth, f"up to {_DEEPEST}")
         own = {tag: dict(given) for tag, given in self._defaults[above].items()}
         for child in element:
             if child.tag != "default":
@@ -167,16 +167,16 @@ class _Tree:
         for child in element.findall("default"):
             self._keep_defaults(child, name, depth + 1)
 
-    def _given(self, element: ET.Element, tag: str, inherited: str = "") -> dict[str, str]:
+    def _attributes_of(self, element: ET.Element, tag: str, inherited: str = "") -> dict[str, str]:
         """Attributes of an element with those of its class."""
         name = element.get("class", inherited)
         if name not in self._defaults:
-            raise self._refused("an unknown class", name, ", ".join(sorted(self._defaults)[1:]) or "none", element.tag)
+            raise self._refusal("an unknown class", name, ", ".join(sorted(self._defaults)[1:]) or "none", element.tag)
         return self._defaults[name].get(tag, {}) | element.attrib
 
     def _walk(self, element: ET.Element, name: str, inherited: str, depth: int) -> None:
         if depth > _DEEPEST:
-            raise self._refused("bodies nested too deeply", depth, f"up to {_DEEPEST}")
+            raise self._refusal("bodies nested too deeply", depth, f"up to {_DEEPEST}")
         here = self.bodies[name]
         for child in element:
             if child.tag == "site" and child.get("name"):
@@ -188,12 +188,12 @@ class _Tree:
             elif child.tag == "body":
                 own = child.get("name") or f"body {len(self.bodies)}"
                 if own in self.bodies:
-                    raise self._refused("two bodies have the same name", own, "every name once")
+                    raise self._refusal("two bodies have the same name", own, "every name once")
                 axes = here.axes @ self._axes(child)
                 self.bodies[own] = _Body(own, name, here.place + here.axes @ self._three(child, "pos"), axes)
                 self._walk(child, own, child.get("childclass", inherited), depth + 1)
             elif child.tag in _UNREAD:
-                raise self._refused(
+                raise self._refusal(
                     f"{child.tag} is not read", child.get("name"), "bodies, joints and sites", f"body {name}"
                 )
 
@@ -203,19 +203,19 @@ class _Tree:
 
     def _add_site(self, child: ET.Element, here: _Body, inherited: str) -> None:
         """Keep a site; that of the wheel centre, where it is turned, has the wheel's axis along its own z."""
-        given = self._given(child, "site", inherited)
+        given = self._attributes_of(child, "site", inherited)
         name = child.get("name", "")
         if name in self.sites:
-            raise self._refused("two sites have the same name", name, "every name once")
+            raise self._refusal("two sites have the same name", name, "every name once")
         if "fromto" in given:
-            raise self._refused("a site between two places", given["fromto"], "pos", f"site {name}: fromto")
+            raise self._refusal("a site between two places", given["fromto"], "pos", f"site {name}: fromto")
         place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, f"site {name}: pos")
         self.sites[name] = place, here.name
         if any(word in given for word in _TURNS) and self._ours(name) == "wheel_centre":
             self.axle_end = place + here.axes @ self._axes(ET.Element("site", given))[:, 2]
 
     def _add_joint(self, child: ET.Element, here: _Body, inherited: str) -> None:
-        given = self._given(child, "joint", inherited)
+        given = self._attributes_of(child, "joint", inherited)
         kind = "free" if child.tag == "freejoint" else given.get("type", "hinge")
         place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, "joint: pos")
         where = f"joint {child.get('name', '')}"
@@ -228,17 +228,17 @@ class _Tree:
     def _direction(self, vector: Array, where: str) -> Array:
         size = float(np.linalg.norm(vector))
         if size < 1e-9:
-            raise self._refused("an axis without direction", vector.tolist(), "not all zero", where)
+            raise self._refusal("an axis without direction", vector.tolist(), "not all zero", where)
         return np.asarray(vector / size)
 
     def _numbers(self, text: str, count: int, where: str) -> Array:
         try:
-            found = np.array([float(word) for word in text.split()])
+            numbers = np.array([float(word) for word in text.split()])
         except ValueError:
-            found = np.full(0, np.nan)
-        if len(found) != count or not np.all(np.isfinite(found)):
-            raise self._refused("not the numbers that belong here", text[:80], f"{count} numbers", where)
-        return found
+            numbers = np.full(0, np.nan)
+        if len(numbers) != count or not np.all(np.isfinite(numbers)):
+            raise self._refusal("not the numbers that belong here", text[:80], f"{count} numbers", where)
+        return numbers
 
     def _several(self, given: Mapping[str, str], key: str, where: str) -> list[float]:
         """Numbers of an attribute, at least one; 0 where it is left out, -1 for lengths."""
@@ -256,7 +256,7 @@ class _Tree:
         if "quat" in element.attrib:
             w, x, y, z = self._numbers(element.attrib["quat"], 4, f"{where}: quat")
             if not np.any([w, x, y, z]):
-                raise self._refused("a quaternion of zeros", element.attrib["quat"], "not all zero", where)
+                raise self._refusal("a quaternion of zeros", element.attrib["quat"], "not all zero", where)
             return np.asarray(Rotation.from_quat([x, y, z, w]).as_matrix())
         if "euler" in element.attrib:
             angles = self._turn * self._numbers(element.attrib["euler"], 3, f"{where}: euler")
@@ -299,23 +299,23 @@ class _Tree:
             for _, kind, place, _ in body.joints:
                 if kind == "ball":
                     yield body.parent, body.name, place
-        for one in self.root.iter("connect"):
-            names = one.get("body1", ""), one.get("body2", "world")
-            if one.get("site1") in self.sites:
-                place, first = self.sites[one.get("site1", "")]
-                yield first, self.sites.get(one.get("site2", ""), (place, "world"))[1], place
+        for connection in self.root.iter("connect"):
+            names = connection.get("body1", ""), connection.get("body2", "world")
+            if connection.get("site1") in self.sites:
+                place, first = self.sites[connection.get("site1", "")]
+                yield first, self.sites.get(connection.get("site2", ""), (place, "world"))[1], place
             elif names[0] in self.bodies and names[1] in self.bodies:
                 here = self.bodies[names[0]]
-                yield names[0], names[1], here.place + here.axes @ self._three(one, "anchor")
+                yield names[0], names[1], here.place + here.axes @ self._three(connection, "anchor")
 
     def _tendons(self) -> dict[str, tuple[dict[str, str], list[str]]]:
         """Spatial tendons between two sites: attributes and the sites' names."""
-        found: dict[str, tuple[dict[str, str], list[str]]] = {}
-        for one in self.root.iter("spatial"):
-            sites = [site.get("site", "") for site in one if site.tag == "site"]
+        tendons: dict[str, tuple[dict[str, str], list[str]]] = {}
+        for tendon in self.root.iter("spatial"):
+            sites = [site.get("site", "") for site in tendon if site.tag == "site"]
             if len(sites) == _LENGTHS and all(site in self.sites for site in sites):
-                found[one.get("name", f"tendon {len(found)}")] = self._given(one, "tendon"), sites
-        return found
+                tendons[tendon.get("name", f"tendon {len(tendons)}")] = self._attributes_of(tendon, "tendon"), sites
+        return tendons
 
     def table(self) -> PointTable:
         """Points by name, and those that follow from the structure."""
@@ -336,8 +336,8 @@ class _Tree:
         for name, place in self._by_structure():
             if name not in own:
                 table.rows.append(PointRow(name, place, f"{self.file}: structure"))
-                told = finding("parts.import_from_structure", str(self.file), name=name, place=place.tolist())
-                table.notes.append(told)
+                note = finding("parts.import_from_structure", str(self.file), name=name, place=place.tolist())
+                table.notes.append(note)
         return table
 
     def _by_structure(self) -> Iterator[tuple[str, Array]]:
@@ -345,18 +345,18 @@ class _Tree:
         balls = list(self._balls())
         hinges = {b.name: b.joints[0] for b in self.bodies.values() if len(b.joints) == 1 and b.joints[0][1] == "hinge"}
 
-        def tied(one: str) -> Iterator[tuple[str, Array]]:
+        def neighbours(name: str) -> Iterator[tuple[str, Array]]:
             for first, second, place in balls:
-                if one in (first, second):
-                    yield (second if first == one else first), place
+                if name in (first, second):
+                    yield (second if first == name else first), place
 
         shared: dict[str, list[tuple[str, Array]]] = {}
         for arm in hinges:
-            for other, place in tied(arm):
+            for other, place in neighbours(arm):
                 if other not in hinges and other != self.bodies[arm].parent:
                     shared.setdefault(other, []).append((arm, place))
         upright = max(shared, key=lambda name: len(shared[name]), default="")
-        arms = sorted(shared.get(upright, []), key=lambda one: float(one[1][2]))
+        arms = sorted(shared.get(upright, []), key=lambda arm: float(arm[1][2]))
         for (arm, ball), ours in zip(arms, ("lower", "upper"), strict=False):
             _, _, place, axis = hinges[arm]
             ahead = axis if axis[0] >= 0.0 else -axis
@@ -375,7 +375,7 @@ class _Tree:
                 yield "tie_rod_inner", inner[0]
         for given, sites in self._tendons().values():
             if self._several(given, "stiffness", "tendon")[0] > 0.0:
-                low, high = sorted((self.sites[site] for site in sites), key=lambda one: float(one[0][2]))
+                low, high = sorted((self.sites[site] for site in sites), key=lambda site: float(site[0][2]))
                 yield "strut_bottom", low[0]
                 yield "strut_top", high[0]
                 return
@@ -383,8 +383,8 @@ class _Tree:
     def _rods(self) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
         """Tendons whose length is held."""
         tendons = self._tendons()
-        for one in self.root.iter("equality"):
-            for held in one.iter("tendon"):
+        for equality in self.root.iter("equality"):
+            for held in equality.iter("tendon"):
                 if held.get("tendon1") in tendons:
                     first, second = tendons[held.get("tendon1", "")][1]
                     yield self.sites[first], self.sites[second]
@@ -409,7 +409,7 @@ class _Tree:
         """The rig, what there is to say about it, and its file."""
         table = self.table()
         if not table.rows:
-            raise self._refused("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
+            raise self._refusal("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
         tyre = self._tyre()
         if tyre is not None:
             radius = tyre.pop("radius")
@@ -458,7 +458,7 @@ class _Tree:
         flip = np.diag([_sign(before, after, axis) for axis in range(2)] + [1.0])
         up = after["wheel_centre"] - flip @ before["wheel_centre"]
         bodies = {
-            name: _moved(masses[name], flip, up)
+            name: _mirror_mass(masses[name], flip, up)
             for name in (*kind.needed_bodies, *kind.further_bodies)
             if name in masses
         }
@@ -509,8 +509,8 @@ class _Tree:
 
     def _tyre(self) -> dict[str, Any] | None:
         """A tyre as an actuator between the road and the wheel that pushes along z; None where there is none."""
-        for one in self.root.iter("general"):
-            given = self._given(one, "general")
+        for actuator in self.root.iter("general"):
+            given = self._attributes_of(actuator, "general")
             if (
                 given.get("biastype") == "affine"
                 and given.get("refsite")
@@ -537,13 +537,13 @@ def _is_zero(text: str) -> bool:
         return False
 
 
-def _moved(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
+def _mirror_mass(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
     """Mass properties mirrored and moved."""
     centre = flip @ np.array(table["centre_of_mass"]) + up
     return as_table(table["mass"], centre, flip @ tensor_of(table) @ flip)
 
 
-def _parsed(file: Path) -> ET.Element:
+def _parse(file: Path) -> ET.Element:
     try:
         root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError, RecursionError) as error:

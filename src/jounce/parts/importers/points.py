@@ -67,28 +67,28 @@ class _TwiceError(Exception):
     """A key that is given twice."""
 
 
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
+def _require_unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    table: dict[str, Any] = {}
     for key, value in pairs:
-        if key in found:
+        if key in table:
             raise _TwiceError(key)
-        found[key] = value
-    return found
+        table[key] = value
+    return table
 
 
-def nested(text: str) -> dict[str, Any] | None:
+def parse_nested(text: str) -> dict[str, Any] | None:
     r"""Keys of a JSON object or of plain YAML (no anchors, no texts of several lines); None for what is neither.
 
-    >>> nested("a:\n  b: {x: 1, y: 2}\n  c:\n    - 3\n    - 4  # four\n")
+    >>> parse_nested("a:\n  b: {x: 1, y: 2}\n  c:\n    - 3\n    - 4  # four\n")
     {'a': {'b': {'x': '1', 'y': '2'}, 'c': ['3', '4']}}
-    >>> nested("name, x, y, z")
+    >>> parse_nested("name, x, y, z")
     """
     if text.lstrip().startswith("{"):
         try:
-            found = json.loads(text, object_pairs_hook=_once)
+            keys = json.loads(text, object_pairs_hook=_require_unique)
         except (ValueError, RecursionError):
             return None
-        return found if isinstance(found, dict) else None
+        return keys if isinstance(keys, dict) else None
     root: dict[str, Any] = {}
     open_: list[tuple[int, Any, str]] = [(-1, root, "")]  # indent, what is filled, key in the one above
     for line in text.splitlines():
@@ -139,7 +139,7 @@ def from_nested(file: Path, text: str) -> PointTable | None:
     A file of suspension-explorer also tells unit, side, the wheel's axis and its tyre.
     """
     try:
-        keys = nested(text)
+        keys = parse_nested(text)
     except _TwiceError as error:
         raise DescriptionError(f"{error} is given twice", where=str(file), allowed="every point once") from None
     if keys is None or is_nested_deeply(keys):
@@ -165,9 +165,9 @@ def _places(file: Path, keys: dict[str, Any], above: str) -> Iterator[tuple[str,
         name = f"{above} {key}".strip() if above in ("left", "right") else key
         parts = [value.get(axis) for axis in "xyz"] if isinstance(value, dict) else value
         if isinstance(value, dict) and None not in parts and not all(map(_is_number, parts)):
-            found = ", ".join(map(str, parts))
+            cells = ", ".join(map(str, parts))
             raise DescriptionError(
-                "a point without three coordinates", where=f"{file}: {name}", found=found, allowed="numbers, 12.5"
+                "a point without three coordinates", where=f"{file}: {name}", found=cells, allowed="numbers, 12.5"
             )
         if isinstance(parts, list) and len(parts) == 3 and all(_is_number(part) for part in parts):
             if "cg" not in name.lower().split("_"):
@@ -192,7 +192,7 @@ def _deep(keys: dict[str, Any], name: str) -> Any:
     if name in keys:
         return keys[name]
     return next(
-        (found for value in keys.values() if isinstance(value, dict) and (found := _deep(value, name)) is not None),
+        (inner for value in keys.values() if isinstance(value, dict) and (inner := _deep(value, name)) is not None),
         None,
     )
 
@@ -208,7 +208,7 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     if not np.any(along):
         raise DescriptionError("the axle's two points are the same", where=outer.where, found=outer.place.tolist())
     along = along / np.linalg.norm(along)
-    offset, *sizes = (_sized(table.file, keys, word) for word in ("offset", *_SIZES))
+    offset, *sizes = (_read_size(table.file, keys, word) for word in ("offset", *_SIZES))
     centre = outer.place - (offset or 0.0) * along
     table.rows.append(PointRow(f"{begin}wheel_centre", centre, outer.where))
     table.rows.append(PointRow(f"{begin}{AXLE_END}", centre + along, outer.where))
@@ -217,7 +217,7 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
         table.radius[""] = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
 
 
-def _sized(file: Path, keys: dict[str, Any], word: str) -> float | None:
+def _read_size(file: Path, keys: dict[str, Any], word: str) -> float | None:
     """A number of the wheel; None where it is not in the file."""
     value = _deep(keys, word)
     if value is not None and not _is_number(value):
@@ -293,8 +293,8 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         )
 
     def height(angle: float) -> float:
-        found = pose(angle)
-        return float("nan") if found is None else float(found[2].sum(axis=1)[1])
+        solution = pose(angle)
+        return float("nan") if solution is None else float(solution[2].sum(axis=1)[1])
 
     angles = np.linspace(-1.0, 1.0, 401)
     heights = np.array([height(angle) for angle in angles])
@@ -304,9 +304,9 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
             "the arms and the knuckle do not meet with the tyre on the road", where=f"{table.file}: {axle}",
             allowed="a double wishbone of VSUSP",
         )  # fmt: skip
-    found = pose(brentq(height, angles[crossing[0]], angles[crossing[0] + 1], xtol=1e-14))
-    assert found is not None
-    low, high, hub = found
+    solution = pose(brentq(height, angles[crossing[0]], angles[crossing[0] + 1], xtol=1e-14))
+    assert solution is not None
+    low, high, hub = solution
     centre = hub[:, 0] + hub[:, 1]
     span = _ARM_SPAN * length["lower"]
     places = {"lower_ball_joint": (0.0, low), "upper_ball_joint": (0.0, high), "wheel_centre": (0.0, centre)}

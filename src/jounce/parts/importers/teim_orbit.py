@@ -63,10 +63,10 @@ class Block:
         rows = [[number(cell, where) for cell in cells[:2]] for cells, where in self.rows if len(cells) >= 2]
         if len(rows) < 2:
             raise DescriptionError("no curve", where=self.where, allowed="rows of two numbers")
-        found = np.array(rows) * [length, force]
-        if np.any(np.diff(found[:, 0]) <= 0.0):
+        columns = np.array(rows) * [length, force]
+        if np.any(np.diff(columns[:, 0]) <= 0.0):
             raise DescriptionError("the first column does not rise", where=self.where)
-        return found[:, 0], found[:, 1]
+        return columns[:, 0], columns[:, 1]
 
 
 def number(text: str, where: str) -> float:
@@ -95,16 +95,16 @@ class TeimOrbit:
     path: Path
     blocks: list[Block]
 
-    def named(self, name: str) -> list[Block]:
+    def blocks_of(self, name: str) -> list[Block]:
         """All blocks of a name."""
         return [block for block in self.blocks if block.name == name]
 
     def first(self, name: str) -> Block:
         """The first block of a name; refused where there is none."""
-        found = self.named(name)
-        if not found:
+        blocks = self.blocks_of(name)
+        if not blocks:
             raise DescriptionError(f"the block [{name}] is missing", where=str(self.path))
-        return found[0]
+        return blocks[0]
 
     def unit(self, quantity: str) -> float:
         """What one unit of a quantity (LENGTH, FORCE, TIME, MASS, ANGLE) of the file is in SI."""

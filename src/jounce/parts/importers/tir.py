@@ -158,14 +158,14 @@ class TyreProperties(Shown):
         if not depth:
             depth, load = (0.0, 0.1 * free), (0.0, 0.1 * free * (self.bottoming_stiffness or 0.0))
         own = tyre.get("curve", {})
-        told = np.array(own.get("deflection", np.linspace(0.0, free, _POINTS) if own else [0.0]))
-        at = np.unique([*told, free, *(free + one for one in depth)])
+        deflections = np.array(own.get("deflection", np.linspace(0.0, free, _POINTS) if own else [0.0]))
+        at = np.unique([*deflections, free, *(free + extra for extra in depth)])
         if own.get("kind") == "polynomial":
             first, second = own["coefficients"]
             force = first * at + second * at**2
         elif own:
-            rise = (own["force"][-1] - own["force"][-2]) / (told[-1] - told[-2])
-            force = np.interp(at, told, own["force"]) + rise * np.maximum(at - told[-1], 0.0)
+            rise = (own["force"][-1] - own["force"][-2]) / (deflections[-1] - deflections[-2])
+            force = np.interp(at, deflections, own["force"]) + rise * np.maximum(at - deflections[-1], 0.0)
         else:
             force = tyre["stiffness"] * at
         force = force + np.interp(at - free, depth, load, left=0.0)
@@ -217,7 +217,7 @@ def read_tir(path: Path | str) -> TyreProperties:
     penetration, rim_load = entries.curve("BOTTOMING_CURVE", length, force)
     rim_radius = entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None
     rim_stiffness = entries.number(("VERTICAL",), "BOTTOM_STIFF", rate) or None
-    found: dict[str, Any] = {
+    tyre: dict[str, Any] = {
         "stiffness": (stiffness or 0.0) * (scale or 1.0),
         "damping_coefficient": damping or 0.0,
         "radius": radius or 0.0,
@@ -225,7 +225,7 @@ def read_tir(path: Path | str) -> TyreProperties:
     return TyreProperties(
         name=entries.file.stem,
         file_format=entries.text("MODEL", "PROPERTY_FILE_FORMAT") or entries.text("MODEL", "FITTYP") or "",
-        **found,
+        **tyre,
         nominal_load=entries.number(("VERTICAL",), "FNOMIN", force, above=0.0),
         load_scale=entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LFZO", 1.0, above=0.0) or 1.0,
         pressure=pressures[0],
@@ -239,13 +239,13 @@ def read_tir(path: Path | str) -> TyreProperties:
         bottoming_penetration=penetration,
         bottoming_load=rim_load,
         findings=(
-            *_unusual(entries.file.stem, found),
-            *_dropped(entries.file.stem, found["radius"], rim_radius, has_rim=bool(penetration or rim_stiffness)),
+            *_note_unusual(entries.file.stem, tyre),
+            *_note_rim(entries.file.stem, tyre["radius"], rim_radius, has_rim=bool(penetration or rim_stiffness)),
         ),
     )
 
 
-def _dropped(name: str, radius: float, rim_radius: float | None, *, has_rim: bool) -> tuple[Finding, ...]:
+def _note_rim(name: str, radius: float, rim_radius: float | None, *, has_rim: bool) -> tuple[Finding, ...]:
     """A note where the file knows when the rim hits the road, which a rig's tyre does not."""
     if not has_rim:
         return ()
@@ -255,11 +255,11 @@ def _dropped(name: str, radius: float, rim_radius: float | None, *, has_rim: boo
     return (finding("parts.rim_left_out", name, deflection, deflection=deflection),)
 
 
-def _unusual(name: str, found: dict[str, float]) -> tuple[Finding, ...]:
+def _note_unusual(name: str, tyre: dict[str, float]) -> tuple[Finding, ...]:
     return tuple(
-        finding("parts.unusual_tyre", name, found[key], key=key, value=found[key], unit=unit)
+        finding("parts.unusual_tyre", name, tyre[key], key=key, value=tyre[key], unit=unit)
         for key, (low, high, unit) in _USUAL.items()
-        if not low <= found[key] <= high
+        if not low <= tyre[key] <= high
     )
 
 
@@ -342,23 +342,23 @@ class _Entries:
         self.values.setdefault(key, (text, line))
 
     def text(self, section: str, key: str) -> str | None:
-        found = self.values.get((section, key))
-        return found[0] if found else None
+        entry = self.values.get((section, key))
+        return entry[0] if entry else None
 
     def unit(self, quantity: str) -> float:
         """SI value of the unit that [UNITS] declares for a quantity."""
-        found = self.values.get(("UNITS", quantity))
-        if found is None:
+        entry = self.values.get(("UNITS", quantity))
+        if entry is None:
             raise DescriptionError(f"the unit of {quantity} is missing", where=f"{self.file}: [UNITS]")
         known = {word: unit for words, unit in UNITS[quantity].items() for word in words.split()}
-        unit = known.get(found[0].lower())
+        unit = known.get(entry[0].lower())
         if unit is None:
             raise DescriptionError(
                 f"unknown unit of {quantity}",
-                where=at_line(self.file, found[1]),
-                found=found[0],
+                where=at_line(self.file, entry[1]),
+                found=entry[0],
                 allowed=", ".join(words.split()[0] for words in UNITS[quantity]),
-                hint=nearest(found[0].lower(), known),
+                hint=nearest(entry[0].lower(), known),
             )
         return conversion_factor(unit, SI[quantity])
 
