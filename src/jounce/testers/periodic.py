@@ -13,7 +13,7 @@ from jounce.mechanics.motions import constant_rate
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.testers.plate_response import LinearTesterRig, linear_rig_on_tester, place_of
-from jounce.testers.plates import wrapped
+from jounce.testers.plates import wrap_phase
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
 _BLOCK = 1.5  # s between two tests for periodicity
@@ -73,7 +73,7 @@ def periodic(
         solution = on.run(angles, times, start=state, fastest=rate, tolerance=tolerance)
         ends = solution.states
         state = dict(zip(on.compiled.facts.states, map(float, ends[:, -1]), strict=True))
-        settled = _left(ends, on.scale) < _REPEATS
+        settled = _remaining_change(ends, on.scale) < _REPEATS
         if settled:
             break
     length = 1 if settled else _UNSETTLED
@@ -86,7 +86,7 @@ def periodic(
         phase = _phase_angle(force, on.static_load(place)) - _greatest_at(height, 1)
     else:
         phase = np.pi - _greatest_at(height, length) + _greatest_at(force, length)
-    phase = float(wrapped(phase))
+    phase = float(wrap_phase(phase))
     return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
 
 
@@ -96,13 +96,13 @@ def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict
     return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
 
 
-def _carried(near: Periodic, linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
+def _carry_state(near: Periodic, linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
     """State at a nearby frequency, corrected by the change of the linear model."""
     there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
     return {name: value + here[name] - there[name] for name, value in near.state.items()}
 
 
-def _left(ends: Array, scale: Array) -> float:
+def _remaining_change(ends: Array, scale: Array) -> float:
     """Remaining change of the state at the end of a turn, relative to its scale."""
     changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
     if changes[-1] < _ROUNDING:
@@ -154,7 +154,7 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
         key = round(frequency, 6)
         if key not in known:
             above = [f for f in known if f > key]
-            start = _carried(known[min(above)], linear, key, place) if above else None
+            start = _carry_state(known[min(above)], linear, key, place) if above else None
             known[key] = periodic(on, key, wheel=wheel, start=start)
         return known[key]
 
@@ -164,9 +164,9 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     )
     for frequency in grid[::-1]:
         at(float(frequency))
-    force, here = _refined(lambda f: at(f).force_min, grid)
+    force, here = _refine_minimum(lambda f: at(f).force_min, grid)
     band = grid[(grid >= limits.frequency_min) & (grid <= limits.frequency_max)]
-    phase, there = _refined(lambda f: at(f).phase_angle, band)
+    phase, there = _refine_minimum(lambda f: at(f).phase_angle, band)
     top = at(25.0)
     static = on.static_load(place)
     states = tuple(known[f] for f in sorted(known))
@@ -174,7 +174,7 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     return SteadySweep(max(0.0, force / static), here, phase, there, amplitude, force <= 1e-9 * static, states)
 
 
-def _refined(value: Callable[[float], float], grid: Array) -> tuple[float, float]:
+def _refine_minimum(value: Callable[[float], float], grid: Array) -> tuple[float, float]:
     """Least value, and where: the grid's least one refined to 0.01 Hz between its neighbours."""
     values = np.array([value(float(f)) for f in grid])
     best = int(np.argmin(values))

@@ -185,12 +185,12 @@ def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road
     place = place_of(linear.on, wheel)
     values, vectors = np.linalg.eig(linear.A)
     unsprung, sprung, plate = (_shapes(linear, channel(place, name), vectors) for name in _HEIGHTS)
-    found = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
-    found &= (unsprung * plate.conj()).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
-    if not found.any():
+    is_wheel = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
+    is_wheel &= (unsprung * plate.conj()).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
+    if not is_wheel.any():
         return None
-    lowest = np.min(np.abs(values[found]))
-    pair = np.flatnonzero(found & (np.abs(values) < _ALIKE * lowest))
+    lowest = np.min(np.abs(values[is_wheel]))
+    pair = np.flatnonzero(is_wheel & (np.abs(values) < _ALIKE * lowest))
     first = linear.on.compiled.facts.track_order * linear.on.places.index(place)
     drive = np.linalg.solve(vectors, linear.B[:, first])
     best = values[pair[np.argmax(np.abs(unsprung * drive / values.real)[pair])]]

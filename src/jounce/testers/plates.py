@@ -58,14 +58,14 @@ class SteadyResponse(Shown):
         return phase_angle(self.force_response)
 
 
-def wrapped(angle: ArrayLike) -> Array:
+def wrap_phase(angle: ArrayLike) -> Array:
     """Return angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
     return np.asarray(1.5 * np.pi - np.mod(1.5 * np.pi - np.asarray(angle), 2.0 * np.pi))
 
 
 def phase_angle(response: ArrayLike) -> Array:
     """EGEA phase angle (rad) of responses of the contact force to plate height (N/m): pi less their argument."""
-    return wrapped(np.pi - np.angle(np.asarray(response, dtype=complex)))
+    return wrap_phase(np.pi - np.angle(np.asarray(response, dtype=complex)))
 
 
 def least_adhesion(at: Callable[[Array], SteadyResponse], highest: float) -> tuple[float, float]:

@@ -91,11 +91,11 @@ class ProgrammeRun:
 
 def run_programme(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> ProgrammeRun:
     """Run a tester's programme; arguments as for :func:`simulate_test`, without sensors and without a Dataset."""
-    chosen = _chosen(rig, wheel, other)
-    return (_free if tester.programme.run_down == "free" else _controlled)(rig, tester, chosen)
+    chosen = _choose_tests(rig, wheel, other)
+    return (_free if tester.programme.run_down == "free" else _run_controlled)(rig, tester, chosen)
 
 
-def _chosen(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
+def _choose_tests(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
     """Wheels that are excited together, test after test."""
     for name, value, allowed in (("wheel", wheel, ("left", "right", "both")), ("other", other, ("still", "excited"))):
         if value not in allowed:
@@ -107,7 +107,7 @@ def _chosen(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
     return [("left",), ("right",)] if wheel == "both" else [(wheel,)]
 
 
-def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
+def _run_controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
     """All tests in one run: the drive follows its programme exactly."""
     on, programme, begin = rig_on_tester(rig, tester), tester.programme, 0.0
     turns: dict[str, list[SweptAngle]] = {}

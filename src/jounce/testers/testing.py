@@ -139,13 +139,13 @@ def simulate_test(
     for side, place in sides.items():
         static = run.static[channel(place, "tyre.force")]
         attributes[f"{side}.static_load"], attributes[f"{side}.plate_mass"] = static, tester.plate_mass
-        channels.update(_measured(run, tester, side, place, sensors or Sensors(), (generator, noise)))
+        channels.update(_measure(run, tester, side, place, sensors or Sensors(), (generator, noise)))
     if truth:
         channels.update(_truth(run, sides))
     return recording_of(run.time, channels, attributes=attributes)
 
 
-def _measured(
+def _measure(
     run: ProgrammeRun, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
 ) -> dict[str, tuple[Array, str, str]]:
     """Readings of one side of the tester; ``noise`` is its generator and its size in shares of the static load."""
@@ -214,12 +214,12 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
         unit, factor = units.get(signal.attrs["units"], (signal.attrs["units"], 1.0))
         columns.append(factor * signal.values)
         header.append(f"{name} [{unit}]")
-    facts = [f"# {key} = {_written(str(key), value)}" for key, value in record.attrs.items()]
+    facts = [f"# {key} = {_quote(str(key), value)}" for key, value in record.attrs.items()]
     rows = [",".join(f"{value:.10g}" for value in row) for row in np.column_stack(columns)]
     return write_atomically(Path(path), "\n".join([*facts, ",".join(header), *rows]) + "\n", force=force)
 
 
-def _written(key: str, value: object) -> str:
+def _quote(key: str, value: object) -> str:
     unit = {"static_load": " N", "plate_mass": " kg"}.get(key.rpartition(".")[2], "")
     return quoted(f"{value}{unit}")
 
