@@ -99,7 +99,7 @@ class Evaluator:
         value, slope, kinematics, drift = (part.full() for part in self._functions(x, self.u, self.p))
         return value[:, 0], slope, kinematics, drift[:, 0]
 
-    def moved(self, x: Array, displacement: Array) -> Array:
+    def move(self, x: Array, displacement: Array) -> Array:
         """States after a small displacement; quaternions have length one again."""
         result = x.copy()
         result[: self.n_q] += self.at(x)[2] @ displacement
@@ -141,7 +141,7 @@ def assemble(
     """
     if redundant not in ("refuse", "keep"):
         raise unknown(redundant, ("refuse", "keep"), what="choice", where="redundant")
-    given = _given(model, start or {})
+    given = _read_start(model, start or {})
     x = np.zeros(model.x.shape[0])
     x[: len(model.start)] = model.start
     first = np.array([given.get(name, value) for name, value in zip(model.states, x, strict=True)])
@@ -160,7 +160,7 @@ def assemble(
     return Assembly(pose, _displacements(model, first, pose, given), named, freedom)
 
 
-def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
+def _read_start(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
     """Start values in SI."""
     units, given = dict(zip(model.states, model.units, strict=False)), {}
     for name, value in start.items():
@@ -287,7 +287,7 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
         step = -weights * np.linalg.lstsq(slope * weights, value, rcond=1e-12)[0]
         share, better = 1.0, None
         while share > 1e-4:
-            trial = evaluator.moved(x, share * step)
+            trial = evaluator.move(x, share * step)
             closer = evaluator.at(trial)
             if np.linalg.norm(closer[0]) < np.linalg.norm(value):
                 better = trial, closer
@@ -408,7 +408,7 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
     for motion in motions_left(slope).T:
         for way in (_NUDGE, -_NUDGE):
             try:
-                near = close_loops(evaluator, evaluator.moved(pose, way * motion), np.ones(len(motion)))
+                near = close_loops(evaluator, evaluator.move(pose, way * motion), np.ones(len(motion)))
             except AssemblyError:
                 return True
             if np.linalg.norm(near - pose) < 0.1 * _NUDGE:

@@ -65,14 +65,14 @@ class BodyFrames:
         known = {symbol.element_hash() for symbol in parameters}
         moving = [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
         if moving:
-            found, allowed = (
+            symbols, allowed = (
                 f"an expression of {', '.join(moving)}",
                 "numbers, and expressions of this mechanism's parameters",
             )
             hint = (
                 "What moves is not described by a place in the design pose: give what moves there a body and a joint."
             )
-            raise AssemblyError("not a number", where=where, found=found, allowed=allowed, hint=hint)
+            raise AssemblyError("not a number", where=where, found=symbols, allowed=allowed, hint=hint)
         return expression
 
     def name(self, body: Body, design: ca.SX, moving: Moving, *, is_point: bool) -> Moving:
@@ -89,7 +89,7 @@ class BodyFrames:
         result = [self.named.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         return list({id(entry[0]): entry[0] for entry in result if entry is not None}.values())
 
-    def resolved(self, expression: ca.SX) -> ca.SX:
+    def resolve(self, expression: ca.SX) -> ca.SX:
         """Replace all named points and directions in an expression by their formulas from the joints."""
         named = self.occurring(expression)
         if not named:
@@ -174,8 +174,8 @@ def tensor_elements(path: str, inertia: Sequence[float | str] | NDArray[np.float
             raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
         elements = np.array([tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
     if elements.shape not in ((3,), (6,)):
-        found, allowed = f"{elements.size} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
-        raise AssemblyError("not a tensor of inertia", where=path, found=found, allowed=allowed)
+        count, allowed = f"{elements.size} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
+        raise AssemblyError("not a tensor of inertia", where=path, found=count, allowed=allowed)
     return [*elements, *[0.0] * (6 - len(elements))]
 
 

@@ -138,7 +138,7 @@ class NamedPart:
             elif isinstance(value, Track):
                 result[key] = value.value.name()
             elif "unit" in each.metadata and value is not None:
-                result[key], units[key] = write(_shown(value)), self._unit(each.metadata)
+                result[key], units[key] = write(_value_to_list(value)), self._unit(each.metadata)
             elif key in ("on", "joint"):
                 result[key] = value
         return result
@@ -148,7 +148,7 @@ class NamedPart:
         return unit.format(**self.units())
 
 
-def _shown(value: ca.SX | Moving) -> ca.SX:
+def _value_to_list(value: ca.SX | Moving) -> ca.SX:
     """Value of a field to list: for a point of a body its place in the design pose."""
     if isinstance(value, BodyPoint):
         return value.design

@@ -73,7 +73,7 @@ class Quasistatic(Mechanism):
             constraint=loops.value,
             constraint_rate=loops.rate,
             constraint_bias=loops.bias,
-            moved=collected.displaced,
+            moved=collected.displace,
         )
 
 
@@ -113,7 +113,7 @@ class DrivenMechanism:
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
         return ca.substitute(ca.vertcat(pose, residual, *slopes), statics.q, start)
 
-    def followed(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
+    def follow(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
         """Change of an expression of the coordinates along a change of tracks and numbers; the loops stay closed."""
         displacement = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
         return ca.jtimes(expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(displacement, change))

@@ -157,7 +157,7 @@ class Collection:
             tuple(equations[i] for i in remaining), *(ca.vertcat(*column)[remaining] for column in columns)
         )
 
-    def displaced(self, displacement: ca.SX) -> ca.SX:
+    def displace(self, displacement: ca.SX) -> ca.SX:
         """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""
         q = self.q + ca.substitute(ca.vertcat(*self.rates), self.v, ca.densify(displacement))
         for first in self.quaternions.values():
@@ -178,7 +178,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     internal = ca.vertcat(*(symbol for symbol, _ in collection.internal.values()))
     constraint = collection.constraint(dropped)
     shared = [list(collection.speeds).index(name) for name in collection.shared]
-    solved = solve(v, collection.inertias, collection.force_on(v), constraint, collection.displaced, shared)
+    solved = solve(v, collection.inertias, collection.force_on(v), constraint, collection.displace, shared)
     gone = [c.multipliers[i] for c in collection.constraints for i, e in enumerate(c.equations) if e.name in dropped]
     lacking = ca.SX(len(gone), 1)  # dropped equations carry no force
     unknown = ca.vertcat(a, constraint.multipliers, *gone)
@@ -190,7 +190,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
         answer=lambda change: ca.vertcat(solved.answer(change), lacking),
         rate=ca.vertcat(*collection.rates, a, *internal_rates),
         output=ca.vertcat(*collection.outputs.values()),
-        moved=collection.displaced,
+        moved=collection.displace,
         correction=solved.correction,
         constraint_rate=constraint.rate,
     )
@@ -272,12 +272,12 @@ def solve(
         matrix += inertia.matrix(v)
         force -= inertia.bias(v)
     if constraint.value.shape[0] == 0:
-        return _unconstrained(v, matrix, force, move)
+        return _solve_unconstrained(v, matrix, force, move)
     gradient = ca.jacobian(constraint.rate, v)
     loops = _LoopFactors(matrix, gradient) if not shared else _SharedLoops(matrix, gradient, shared)
 
     def correction(residual: ca.SX) -> ca.SX:
-        return loops.displaced(residual)
+        return loops.displacement(residual)
 
     return Solved(
         *loops.balance(force, constraint.bias),
@@ -290,7 +290,7 @@ def solve(
     )
 
 
-def _unconstrained(v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]) -> Solved:
+def _solve_unconstrained(v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]) -> Solved:
     """Accelerations without loops."""
     mass, size = Ldl(matrix), v.shape[0]
     return Solved(
@@ -321,7 +321,7 @@ class _LoopFactors:
         multipliers = self._reduced.solve(-bias - self._scaled.T @ half)
         return self._mass.backward(self._mass.scale(half + self._rows @ multipliers)), multipliers
 
-    def displaced(self, residual: ca.SX) -> ca.SX:
+    def displacement(self, residual: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, that makes a change of the constraints."""
         return self._mass.backward(self._scaled @ self._reduced.solve(residual))
 
@@ -368,7 +368,7 @@ class _Free:
         """Accelerations, and no multipliers."""
         return self._mass.solve(ca.densify(applied)), ca.SX(0, 1)
 
-    def displaced(self, _: ca.SX) -> ca.SX:
+    def displacement(self, _: ca.SX) -> ca.SX:
         """Nothing to take back."""
         return ca.SX(self._size, 1)
 
@@ -403,11 +403,11 @@ class _SharedLoops:
             multipliers[block.rows] = reaction + block.react @ carrier
         return accelerations, multipliers
 
-    def displaced(self, residual: ca.SX) -> ca.SX:
+    def displacement(self, residual: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
         result = ca.SX(self._size, 1)
         for block in self._blocks:
-            result[block.speeds] = block.loops.displaced(residual[block.rows])
+            result[block.speeds] = block.loops.displacement(residual[block.rows])
         return result
 
     def conditioning(self) -> ca.SX:

@@ -17,8 +17,8 @@ def check_name(name: object, where: str = "") -> str:
         return name
     named = getattr(name, "name", None)
     hint = f"Give the name, {named!r}." if isinstance(named, str) and not isinstance(name, str) else ""
-    found = name if isinstance(name, str) else type(name).__name__
-    raise AssemblyError("not a name", where=where, found=found, allowed="text without blanks around it", hint=hint)
+    text = name if isinstance(name, str) else type(name).__name__
+    raise AssemblyError("not a name", where=where, found=text, allowed="text without blanks around it", hint=hint)
 
 
 def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:

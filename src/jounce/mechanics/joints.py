@@ -457,18 +457,18 @@ class Rod(Joint):
 
     def defaults(self) -> dict[str, ca.SX]:
         """By default it is as long as designed."""
-        return {"length": ca.sqrt(self._squared)} if self.length is None else {}
+        return {"length": ca.sqrt(self._squared_length)} if self.length is None else {}
 
     def check(self, known: Known) -> None:
         """Refuse a rod without length."""
         super().check(known)
         if known("length") <= 0.0:
             hint = "Use coincident() to keep two points in one place."
-            found = f"{known('length'):g} m"
-            raise AssemblyError("a rod without length", where=self.name, found=found, allowed="above 0 m", hint=hint)
+            length = f"{known('length'):g} m"
+            raise AssemblyError("a rod without length", where=self.name, found=length, allowed="above 0 m", hint=hint)
 
     @property
-    def _squared(self) -> ca.SX:
+    def _squared_length(self) -> ca.SX:
         design = self.second_at - self.at
         return ca.dot(design, design) if self.length is None else ca.SX(self.length**2)
 
@@ -476,11 +476,13 @@ class Rod(Joint):
         """The multiplier is the rod's force over its length, compression positive."""
         other = self.second.frame.point(self.second_at)
         reach = other - self.first.frame.point(self.at)
-        return [ClosingEquation("", "m^2", _half_square(reach, self._squared), force=reach.value, point=other.value)]
+        return [
+            ClosingEquation("", "m^2", _half_square(reach, self._squared_length), force=reach.value, point=other.value)
+        ]
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
         """Return the rod's force, N, tension positive."""
-        return -multipliers * ca.sqrt(self._squared)
+        return -multipliers * ca.sqrt(self._squared_length)
 
 
 @dataclass(frozen=True, eq=False)

@@ -51,7 +51,7 @@ class Reading:
     def known(self, description: NamedPart) -> Known:
         """Numbers of a description's fields, NaN where they are not known."""
 
-        def known(field: str) -> Array:
+        def value_of(field: str) -> Array:
             value = getattr(description, field)
             value = description.defaults().get(field) if value is None else value
             if not isinstance(value, ca.SX):
@@ -59,7 +59,7 @@ class Reading:
             result = self.numbers(value)
             return np.full(value.numel() if value.numel() > 1 else (), np.nan) if result is None else result
 
-        return known
+        return value_of
 
     def write(self, expression: ca.SX) -> Plain:
         """Numbers of an expression of parameters; else a table with its text and the parameters in it."""
@@ -195,9 +195,10 @@ def as_text(listed: Mapping[str, Any]) -> str:
     for body in listed["bodies"]:
         if "mass" in body:
             elements = body["inertia"] or {}
-            inertia = ", ".join(f"{name} {_shown(value)}" for name, value in elements.items()) or "not known"
+            inertia = ", ".join(f"{name} {_format_value(value)}" for name, value in elements.items()) or "not known"
             bodies.append(
-                f"{body['name']}: mass {_shown(body['mass'])} kg, centre of mass {_shown(body['centre_of_mass'])} m, "
+                f"{body['name']}: mass {_format_value(body['mass'])} kg, "
+                f"centre of mass {_format_value(body['centre_of_mass'])} m, "
                 f"inertia {inertia}{' kg m^2' if elements else ''}"
             )
         else:
@@ -212,18 +213,18 @@ def as_text(listed: Mapping[str, Any]) -> str:
         for entry in listed["closures"]
     ]
     conditions = [
-        f"{entry['name']}: {entry['kind']} of {_names(entry)}, {_shown(_law(entry))} = 0{_with(entry)}"
+        f"{entry['name']}: {entry['kind']} of {_names(entry)}, {_format_value(_law(entry))} = 0{_with(entry)}"
         for entry in listed["conditions"]
     ]
     loads = [_line(entry) for entry in listed["loads"]]
     parts = {"bodies": bodies, "joints": joints, "loops closed by": closures, "conditions": conditions, "loads": loads}
     parts["tracks"] = listed["tracks"]
     parts["switches"] = [
-        f"{entry['name']}: 1 where {_shown(entry['above_zero'])} > 0{_with(entry['above_zero'])}"
+        f"{entry['name']}: 1 where {_format_value(entry['above_zero'])} > 0{_with(entry['above_zero'])}"
         for entry in listed["switches"]
     ]
     parts["internal states"] = [
-        f"{entry['name']}: rate {_shown(entry['rate'])}{_with(entry['rate'] or {})}"
+        f"{entry['name']}: rate {_format_value(entry['rate'])}{_with(entry['rate'] or {})}"
         for entry in listed["internal_states"]
     ]
     parts["watched"] = [f"{entry['name']}: {entry['kind']}" for entry in listed["watched"]]
@@ -237,7 +238,7 @@ def _line(entry: Mapping[str, Any]) -> str:
     ends = " - ".join(entry[end] for end in ("first", "second", "body", "joint") if end in entry)
     units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in entry["units"].items()}
     numbers = [
-        f"{name.replace('_', ' ')} {_shown(value)}{units.get(name, '')}"
+        f"{name.replace('_', ' ')} {_format_value(value)}{units.get(name, '')}"
         + (" as designed" if name in entry.get("as_designed", ()) else "")
         + (_with(value) if isinstance(value, dict) else "")
         for name, value in entry.items()
@@ -259,19 +260,19 @@ def _law(entry: Mapping[str, Any]) -> dict[str, Any]:
 def _with(law: Mapping[str, Any]) -> str:
     """Parameters of a law with their numbers."""
     parameters = (
-        f"{path} {_shown(parameter['value'])} {parameter['unit']}".rstrip(" 1")
+        f"{path} {_format_value(parameter['value'])} {parameter['unit']}".rstrip(" 1")
         for path, parameter in law.get("parameters", {}).items()
     )
     text = ", ".join(parameters)
     return f" with {text}" if text else ""
 
 
-def _shown(value: Plain) -> str:
+def _format_value(value: Plain) -> str:
     if value is None:
         return "not known"
     if isinstance(value, dict):
-        text = _shown(value["expression"])
+        text = _format_value(value["expression"])
         return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}... ({len(text)} characters, whole in to_dict)"
     if isinstance(value, list):
-        return f"({', '.join(_shown(part) for part in value)})"
+        return f"({', '.join(_format_value(part) for part in value)})"
     return f"{value:.6g}" if isinstance(value, float) else str(value)

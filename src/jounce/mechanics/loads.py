@@ -257,8 +257,8 @@ class Stop(OnCoordinate):
         if self.lower is None and self.upper is None:
             raise AssemblyError("a stop without limits", where=self.name, hint="Give lower, upper, or both.")
         if self.lower is not None and self.upper is not None and known("lower") > known("upper"):
-            found, allowed = f"{known('lower'):g} to {known('upper'):g} {self.length}", "lower at most upper"
-            raise AssemblyError("the limits of a stop are crossed", where=self.name, found=found, allowed=allowed)
+            limits, allowed = f"{known('lower'):g} to {known('upper'):g} {self.length}", "lower at most upper"
+            raise AssemblyError("the limits of a stop are crossed", where=self.name, found=limits, allowed=allowed)
 
     def action(self, system: System) -> Action:
         """Return its force (N or N m) to the maker."""

@@ -170,8 +170,8 @@ class Mechanism(Structure):
             return ca.SX(3, 3)
         if isinstance(inertia, ca.SX):
             if inertia.shape != (3, 3):
-                found, allowed = f"shape {inertia.shape}", "a symmetric (3, 3) tensor"
-                raise AssemblyError("not a tensor of inertia", where=path, found=found, allowed=allowed)
+                shape, allowed = f"shape {inertia.shape}", "a symmetric (3, 3) tensor"
+                raise AssemblyError("not a tensor of inertia", where=path, found=shape, allowed=allowed)
             return self.poses.require_still(inertia, path)
         names, elements = ("xx", "yy", "zz", "xy", "xz", "yz"), tensor_elements(path, inertia)
         pairs = zip(names, elements, strict=True)
@@ -228,8 +228,8 @@ class Mechanism(Structure):
         if not joint.hangs:
             self._require_placed(name, first, second)
         elif not (first.is_placed or second.is_placed):
-            found, hint = f"{first.name}, {second.name}", "Give the joints in an order that starts at the ground."
-            raise AssemblyError("neither body hangs on anything yet", where=name, found=found, hint=hint)
+            names, hint = f"{first.name}, {second.name}", "Give the joints in an order that starts at the ground."
+            raise AssemblyError("neither body hangs on anything yet", where=name, found=names, hint=hint)
         self._refuse_apart(name, first, second)
         closes = first.is_placed and second.is_placed
         if closes and not joint.closes:
@@ -384,7 +384,7 @@ class Mechanism(Structure):
 
     def coupler(self, name: str, expression: ca.SX) -> ca.SX:
         """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; return its force."""
-        value = self.poses.resolved(expression_of(expression, name))
+        value = self.poses.resolve(expression_of(expression, name))
         if any(ca.which_depends(value, self.collection.q, 2)):
             hint = "Take condition() for what is not linear."
             raise AssemblyError("not a linear combination of coordinates", where=name, found=str(value), hint=hint)
@@ -403,7 +403,7 @@ class Mechanism(Structure):
     def _condition(self, name: str, kind: str, expression: ca.SX) -> ca.SX:
         expression = self._check_expression(name, expression)
         placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
-        value = self.poses.resolved(expression)
+        value = self.poses.resolve(expression)
         rate = self.rate_of(value)
         multiplier = self.constrain([Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate))
         self.conditions[placed] = LoopExpression(placed, kind, expression), multiplier
@@ -413,8 +413,8 @@ class Mechanism(Structure):
         """Refuse what is no prescribed input of this mechanism."""
         if all(track is not known for known in self.collection.tracks.values()):
             named = track.value if isinstance(track, Track) else track
-            found, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
-            raise AssemblyError("not a track of this mechanism", where=name, found=found, hint=hint)
+            text, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
+            raise AssemblyError("not a track of this mechanism", where=name, found=text, hint=hint)
 
     def _check_expression(self, name: str, expression: ca.SX) -> ca.SX:
         """Refuse anything but one expression of coordinates, such as the force of a closing joint."""
@@ -427,12 +427,12 @@ class Mechanism(Structure):
 
     def _check_moves(self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()) -> None:
         """Refuse symbols but coordinates, parameters, tracks and ``also``, and an expression without ``moving``."""
-        expression = self.poses.resolved(expression)
+        expression = self.poses.resolve(expression)
         strange = self._strange_in(expression, also)
         if strange or not ca.depends_on(expression, moving):
-            found = f"an expression of {', '.join(strange)}" if strange else "an expression of no coordinate"
+            symbols = f"an expression of {', '.join(strange)}" if strange else "an expression of no coordinate"
             hint = "Let the joint that is to be driven come before the one that closes the loop." if strange else ""
-            raise AssemblyError(text, where=name, found=found, hint=hint)
+            raise AssemblyError(text, where=name, found=symbols, hint=hint)
 
     def _strange_in(self, expression: ca.SX, also: Sequence[ca.SX]) -> list[str]:
         """Symbols that are no coordinates, parameters or tracks of this mechanism, such as those of another one."""
@@ -448,9 +448,9 @@ class Mechanism(Structure):
         check_name(name)
         for body in bodies:
             if not isinstance(body, Body):
-                found = body if isinstance(body, str) else type(body).__name__
+                kind = body if isinstance(body, str) else type(body).__name__
                 hint = "Take what mechanism.body(name) gave, or mechanism.ground."
-                raise AssemblyError("not a body", where=name, found=found, hint=hint)
+                raise AssemblyError("not a body", where=name, found=kind, hint=hint)
             if self.bodies.get(body.name) is not body:
                 raise AssemblyError("the body belongs to another mechanism", where=name, found=body.name)
         if len(bodies) == 2 and bodies[0] is bodies[1]:
@@ -470,8 +470,8 @@ class Mechanism(Structure):
         carriers = {body.name: body.carrier for body in bodies if body.is_placed}
         if len(set(map(id, carriers.values()))) > 1:
             hint = "Join what hangs in a moving frame to that frame, not to its body or the ground."
-            found = ", ".join(carriers)
-            raise AssemblyError("the bodies hang in different moving frames", where=name, found=found, hint=hint)
+            names = ", ".join(carriers)
+            raise AssemblyError("the bodies hang in different moving frames", where=name, found=names, hint=hint)
 
     def _refuse_moving(self, name: str, *bodies: Body) -> None:
         """Refuse what is for places in ground axes only."""
@@ -507,9 +507,9 @@ class Mechanism(Structure):
         moving += [state for state, _ in every.internal.values()] + [mode for mode, _ in every.switches.values()]
         strange = self._strange_in(ca.SX(ca.veccat(*(part for pair in power for part in pair))), moving)
         if strange:
-            found = f"an expression of {', '.join(strange)}"
+            symbols = f"an expression of {', '.join(strange)}"
             hint = "It may depend on coordinates, speeds, points, tracks and states of its mechanism, not on reactions."
-            raise AssemblyError("a force that cannot be computed", where=name, found=found, hint=hint)
+            raise AssemblyError("a force that cannot be computed", where=name, found=symbols, hint=hint)
 
     def force(self, along: ca.SX, magnitude: ca.SX | float | str) -> None:
         """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies.
@@ -520,8 +520,8 @@ class Mechanism(Structure):
         length = self._length_of(along)
         magnitude = expression_of(magnitude, "magnitude of force", "N" if length == "m" else "N*m")
         if along.shape != magnitude.shape:
-            found = f"{magnitude.numel()} along {along.numel()} expressions"
-            raise AssemblyError("as many forces as expressions", where="force", found=found, allowed="one for each")
+            count = f"{magnitude.numel()} along {along.numel()} expressions"
+            raise AssemblyError("as many forces as expressions", where="force", found=count, allowed="one for each")
         moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
         text, modes = "a force along what moves nothing of this mechanism", self.collection.switches.values()
         self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
@@ -534,8 +534,8 @@ class Mechanism(Structure):
         """
         rate, magnitude = expression_of(rate, "rate of load"), expression_of(magnitude, "magnitude of load", "N")
         if rate.shape != magnitude.shape:
-            found = f"{magnitude.numel()} on {rate.numel()} rates"
-            raise AssemblyError("as many forces as rates", where="load", found=found, allowed="one for each")
+            count = f"{magnitude.numel()} on {rate.numel()} rates"
+            raise AssemblyError("as many forces as rates", where="load", found=count, allowed="one for each")
         self.act(loads.PowerOnRate("", rate, magnitude))
 
     def apply_force(
@@ -959,7 +959,7 @@ class Mechanism(Structure):
                 whole.act(loads.PointForce("", body, weight, body.frame.point(properties.centre)))
         for carrier in carriers.values():
             for group in _by_place(body for body in self.bodies.values() if body.carrier is carrier):
-                whole.inertia(CarriedMasses(carrier, [_carried(body) for body in group]))
+                whole.inertia(CarriedMasses(carrier, [_to_carried(body) for body in group]))
         whole.collection.loops = self.loops()
         return whole
 
@@ -971,7 +971,7 @@ class Mechanism(Structure):
 
     def generalised_force(self, model: Model) -> ca.Function:
         """Return the force of all loads on the speeds (N, N m) as a function of the model's x, u, p and m."""
-        loads = _resolved(self.complete().collection, self.poses)
+        loads = _resolve(self.complete().collection, self.poses)
         return ca.Function("force", [model.x, model.u, model.p, model.m], [loads.force_on(loads.v)])
 
     def mobility(
@@ -1019,7 +1019,7 @@ class Mechanism(Structure):
         >>> linkage.mobility().degrees_of_freedom
         1
         """
-        model = self._kept(frozenset())
+        model = self._form_once(frozenset())
         p, u = self._numbers(model, self.with_values(values or {}), inputs or {})
         pose = assemble(model, p, u, start, redundant="keep")
         refuse_singular(model, pose.x, u, p)
@@ -1079,10 +1079,10 @@ class Mechanism(Structure):
             The equations.
         """
         _check_choice(redundant, ("keep", "remove"))
-        model = self._formed(frozenset(), balance=False)
+        model = self._form(frozenset(), balance=False)
         if redundant == "remove" and model.constraints:
             dropped = removable(model, *self._numbers(model, values or {}, inputs or {}), start)
-            return self._formed(dropped, balance=False) if dropped else model
+            return self._form(dropped, balance=False) if dropped else model
         return model
 
     def model(
@@ -1103,19 +1103,19 @@ class Mechanism(Structure):
             SI, as for ``finish``.
         """
         _check_choice(redundant, ("refuse", "remove"))
-        every = self._kept(frozenset())
+        every = self._form_once(frozenset())
         if redundant != "remove" or not every.constraints:
             return every
         size = self._size()
         known = [key[0] for key in self._finished if key[1:] == size and isinstance(key[0], frozenset) and key[0]]
-        return self._kept(removable(every, *self._numbers(every, values or {}, inputs or {}), start, known))
+        return self._form_once(removable(every, *self._numbers(every, values or {}, inputs or {}), start, known))
 
-    def _kept(self, dropped: frozenset[str]) -> Model:
+    def _form_once(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
         key = (dropped, *self._size())
         with turn((id(self), key)):
             if key not in self._finished:
-                self._finished[key] = self._formed(dropped, balance=True)
+                self._finished[key] = self._form(dropped, balance=True)
             return self._finished[key]
 
     def _size(self) -> tuple[object, ...]:
@@ -1123,7 +1123,7 @@ class Mechanism(Structure):
         each = (self.bodies, self.hanging, self.closing, self.conditions, self.loads, *vars(self.collection).values())
         return (*(len(part) for part in each if isinstance(part, dict | list)), *self.watched.values())
 
-    def _formed(self, dropped: frozenset[str], *, balance: bool) -> Model:
+    def _form(self, dropped: frozenset[str], *, balance: bool) -> Model:
         """Form the equations without some of the loops'; on request with the energy balance of the loops."""
         whole = self.complete()
         if balance and whole.collection.constraints:
@@ -1131,7 +1131,7 @@ class Mechanism(Structure):
         self._check_outputs()
         for watch in self.watched.values():
             watch.show(whole)
-        return form(_resolved(whole.collection, self.poses), dropped)
+        return form(_resolve(whole.collection, self.poses), dropped)
 
     def _check_outputs(self) -> None:
         """Refuse signals of things that this mechanism does not have."""
@@ -1172,7 +1172,7 @@ class Mechanism(Structure):
         return np.array([every[name] for name in model.parameters]), u
 
 
-def _resolved(collection: Collection, poses: BodyFrames) -> Collection:
+def _resolve(collection: Collection, poses: BodyFrames) -> Collection:
     """Replace all named points in expressions by their formulas from the joints."""
     loads = [part for pair in collection.loads for part in pair]
     rates = [rate for _, rate in collection.internal.values()]
@@ -1209,7 +1209,7 @@ def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:
     return list(result.values())
 
 
-def _carried(body: Body) -> Carried:
+def _to_carried(body: Body) -> Carried:
     """A body with mass, in moving axes."""
     assert body.mass_properties is not None
     properties, frame = body.mass_properties, body.frame

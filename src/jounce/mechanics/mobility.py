@@ -56,9 +56,10 @@ class FreeMotion:
 
     def __str__(self) -> str:
         if self.point is None:
-            return f"{self.body} slides along {_shown(self.axis)}"
+            return f"{self.body} slides along {_format_vector(self.axis)}"
         slide = f" and slides {self.pitch:.3g} m/rad along it" if abs(self.pitch) > _STILL else ""
-        return f"{self.body} turns about the line through {_shown(self.point)} m along {_shown(self.axis)}{slide}"
+        line = f"through {_format_vector(self.point)} m along {_format_vector(self.axis)}"
+        return f"{self.body} turns about the line {line}{slide}"
 
 
 @dataclass(frozen=True)
@@ -91,22 +92,24 @@ class Mobility:
     def findings(self, *, is_driven: bool) -> Iterator[Finding]:
         """Report motions with loops, motions without force, redundant equations, and a rigid mechanism."""
         if self.motions:
-            yield finding("mechanics.freedoms_left", "degrees of freedom", motions=_listed(self.motions))
+            yield finding("mechanics.freedoms_left", "degrees of freedom", motions=_list_motions(self.motions))
         elif not is_driven:
             yield finding("mechanics.nothing_moves", "degrees of freedom")
         if self.redundant:
             names = ", ".join(name for group in self.redundant for name in group)
             yield finding("mechanics.redundant_equations", "degrees of freedom", names=names)
         if idle := [motion for motion in self.motions if not motion.is_loaded]:
-            yield finding("mechanics.no_force_along", "degrees of freedom", motions=_listed(idle, len(self.motions)))
+            yield finding(
+                "mechanics.no_force_along", "degrees of freedom", motions=_list_motions(idle, len(self.motions))
+            )
 
 
-def _listed(motions: Sequence[FreeMotion], of: int = 0) -> str:
+def _list_motions(motions: Sequence[FreeMotion], of: int = 0) -> str:
     more = [f"and {len(motions) - _LISTED} more"] if len(motions) > _LISTED else []
     return f"{len(motions)}{f' of {of}' if of else ''}: {'; '.join([*map(str, motions[:_LISTED]), *more])}"
 
 
-def _shown(vector: tuple[float, ...]) -> str:
+def _format_vector(vector: tuple[float, ...]) -> str:
     return f"({', '.join(f'{round(part, 4) + 0.0:.4g}' for part in vector)})"
 
 
@@ -190,7 +193,7 @@ class Freedoms:
                 moving[n_q : n_q + n_v] += step
                 yield (force(moving, directions) - reference) / _NUDGE
             for step in steps:
-                near = close_loops(evaluator, evaluator.moved(x, step), np.ones(n_v))
+                near = close_loops(evaluator, evaluator.move(x, step), np.ones(n_v))
                 yield (force(near, motions_left(evaluator.at(near)[1])) - reference) / _NUDGE
 
         rows: list[Array] = []

@@ -130,8 +130,8 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     except DescriptionError:  # the unit of an angle
         x = as_samples(value, "rad", where="value", error=AssemblyError)
     if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
-        found = f"times of shape {t.shape}, values of shape {x.shape}"
-        raise AssemblyError("not a motion", found=found, allowed="two finite points or more, ascending in time")
+        shapes = f"times of shape {t.shape}, values of shape {x.shape}"
+        raise AssemblyError("not a motion", found=shapes, allowed="two finite points or more, ascending in time")
     pieces = piecewise_linear(t, x).coefficients
     if smooth:
         from scipy.interpolate import CubicSpline

@@ -75,14 +75,14 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
             bodies = [joint.first.itself.name, joint.second.itself.name]
         ordered = [body for body in mechanism.bodies if body in bodies]
         felt = on = on or (bodies[1] if name in mechanism.closures else ordered[-1])
-        reaction = _summed(own, on, mechanism.bodies)
+        reaction = _sum_wrenches(own, on, mechanism.bodies)
     if on not in bodies:
         raise unknown(on, bodies, what="body it acts on", where=f"reaction of {name}")
     force, torque, point = reaction if on == felt else (-reaction[0], -reaction[1], reaction[2])
     return Reaction(force, torque, point, mechanism.bodies[on])
 
 
-def _summed(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _sum_wrenches(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Wrenches on one body, at the point of the first force; at the body's origin where none is a force."""
     own = [wrench for wrench in wrenches if wrench.body.name == on]
     at = next((wrench.point for wrench in own if wrench.force.nnz()), None)

@@ -131,7 +131,7 @@ class Structure(System):
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
         """Return the time derivative of an expression of coordinates, points of bodies and tracks."""
-        return super().rate_of(self.poses.resolved(expression_of(expression, "rate")))
+        return super().rate_of(self.poses.resolve(expression_of(expression, "rate")))
 
     def supplied(self) -> list[ca.SX]:
         """Powers of the motions that tracks prescribe, W."""

@@ -32,7 +32,7 @@ def all_or_nothing(
     """Let a method add everything or, if it refuses, nothing: truncate the builder to its previous size."""
 
     @wraps(method)
-    def tried(self: _Builder, /, *given: _Arguments.args, **named: _Arguments.kwargs) -> _Answer:
+    def attempt(self: _Builder, /, *given: _Arguments.args, **named: _Arguments.kwargs) -> _Answer:
         before = [(part, len(part)) for part in self.growing()]
         try:
             return method(self, *given, **named)
@@ -42,7 +42,7 @@ def all_or_nothing(
                     part.popitem() if isinstance(part, dict) else part.pop()
             raise
 
-    return tried
+    return attempt
 
 
 class System:
@@ -205,11 +205,11 @@ class System:
         known = {equation.name: equation.joint for equation in before}
         for equation in equations:
             if equation.name in known:
-                text, found = (
+                text, names = (
                     "one of its equations has the name of another",
                     f"{equation.name} of {known[equation.name]}",
                 )
-                raise AssemblyError(text, where=equation.joint, found=found, hint="Give one of the two another name.")
+                raise AssemblyError(text, where=equation.joint, found=names, hint="Give one of the two another name.")
         multipliers = ca.vertcat(*(ca.SX.sym(f"{equation.name} multiplier") for equation in equations))
         self.collection.constraints.append(Constraint(tuple(equations), value, rate, bias, multipliers))
         return multipliers
@@ -232,8 +232,8 @@ class System:
         name = self._unused(name, {known.name for known in self.collection.outputs})
         shown = expression_of(expression, f"output {name}")
         if shown.shape != (1, 1):
-            found, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
-            raise AssemblyError("not one expression", where=f"output {name}", found=found, hint=hint)
+            count, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
+            raise AssemblyError("not one expression", where=f"output {name}", found=count, hint=hint)
         self.collection.outputs[Output(name, unit, long_name)] = shown
 
     def finish(self) -> Model:

@@ -107,7 +107,7 @@ def sampled(mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[st
     def tangent() -> ca.Function:
         numbers = ca.vertcat(*arguments[1:3])
         change = ca.SX.sym("change", numbers.shape[0])
-        slopes = ca.cse(ca.densify(driven.followed(output, numbers, change)))
+        slopes = ca.cse(ca.densify(driven.follow(output, numbers, change)))
         return ca.Function("tangent", [ca.vertcat(arguments[0], change), *arguments[1:]], [slopes])
 
     tracks = tuple(track.value.name() for track in driven.tracks)
