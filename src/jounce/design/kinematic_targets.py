@@ -22,7 +22,7 @@ from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
-from jounce.kinematics.axle import Ground, TwoWheelAxle, WheelRows, roll_rows, rolled, steering_rows
+from jounce.kinematics.axle import Ground, TwoWheelAxle, WheelRows, roll_axle, roll_rows, steering_rows
 from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
@@ -563,7 +563,7 @@ class TargetEvaluator:
         """Rows of a rolling axle, and their differences along each direction."""
 
         def at(numbers: Array) -> dict[str, Array]:
-            computed = rolled(self._axle(numbers), roll, rack).values
+            computed = roll_axle(self._axle(numbers), roll, rack).values
             return {name: computed[name] for name in names}
 
         moved = dict[str, list[Array]]()

@@ -132,15 +132,15 @@ def _t_bar(connection: Connection, stiffness: Array, left: ConnectedWheel, right
     each = [np.tile(part, (1, count)) for part in (stem[:, None], arms, link_ends)]
     parts = t_bar_function().map(count)(*each, np.stack(ends, axis=2).transpose(1, 0, 2).reshape(3, 2 * count))
     hinge, twist = (part.full()[0] for part in parts[:2])
-    tips, ways = (part.full().reshape(3, count, 2).transpose(2, 1, 0) for part in parts[2:4])  # (2, n, 3)
+    tips, directions = (part.full().reshape(3, count, 2).transpose(2, 1, 0) for part in parts[2:4])  # (2, n, 3)
     levers = parts[4].full().reshape(2, count, 2).transpose(1, 2, 0)  # (n, motion, link)
     torque = stiffness * twist
     reached = np.isfinite(levers).all(axis=(1, 2)) & np.isfinite(twist)
     pulls = np.full((count, 2), np.nan)
     demands = np.stack([np.zeros_like(torque), torque], axis=1)
     pulls[reached] = np.linalg.solve(levers[reached], demands[reached][:, :, None])[:, :, 0]
-    for i, (way, rate) in enumerate(zip(ways, rates, strict=True)):
-        connection.forces[i] = connection.forces[i] + pulls[:, i] * _dot(way, rate)
+    for i, (direction, rate) in enumerate(zip(directions, rates, strict=True)):
+        connection.forces[i] = connection.forces[i] + pulls[:, i] * _dot(direction, rate)
         connection.links.append(np.asarray(pulls[:, i], dtype=np.float64))
         connection.arm_ends.append(pivot + tips[i])
     stem_direction = np.stack([np.cos(hinge), np.zeros(count), np.sin(hinge)], axis=1)

@@ -41,7 +41,7 @@ class Adjustable:
     highest: float
     text: str
     source: str
-    base: Callable[[Corner], float] = field(default_factory=lambda: _unchanged)
+    base: Callable[[Corner], float] = field(default_factory=lambda: _zero)
     ends: Callable[[Corner], tuple[float, float]] | None = None
     fits: Callable[[Corner], bool] = field(default_factory=lambda: _always)
 
@@ -54,7 +54,7 @@ class Adjustable:
         return (-LARGEST, LARGEST) if self.name == "strut_angle" else self.range_for(rig)
 
 
-def _unchanged(_rig: Corner) -> float:
+def _zero(_rig: Corner) -> float:
     """Value that a change has in a rig as it is."""
     return 0.0
 
@@ -186,7 +186,7 @@ SETTINGS: dict[str, Adjustable] = {
             0.010,
             "shims between the upright and its joints above the wheel centre, wheel outward",
             _SHIMS,
-            fits=lambda rig: bool(_shimmed(rig)),
+            fits=lambda rig: bool(_shim_joints(rig)),
         ),
         Adjustable(
             "camber_plate",
@@ -218,7 +218,7 @@ SETTINGS: dict[str, Adjustable] = {
 def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
     """Check settings, each by what the rig takes; give their values in SI."""
     corner = corner_of(rig)
-    found = {}
+    values = {}
     for name, given in settings.items():
         if name not in SETTINGS:
             raise unknown(name, SETTINGS, what="setting", where="adjust")
@@ -235,8 +235,8 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
                 found=given,
                 allowed=f"{shown(low, setting.unit)} to {shown(high, setting.unit)} ({setting.source})",
             )
-        found[name] = value
-    return found
+        values[name] = value
+    return values
 
 
 def adjustables(rig: Rig) -> dict[str, Adjustable]:
@@ -284,7 +284,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     5.2
     """
     corner, values = corner_of(rig), read_settings(rig, settings)
-    corner = _assembled(corner, values)
+    corner = _change_linkage(corner, values)
     wedges = {
         f"wheel.{name}": getattr(corner.wheel, name) + values[f"{name}_wedge"]
         for name in ("camber", "toe")
@@ -294,7 +294,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     if "short_upper_arm" in values and corner.sprung is not None:
         corner = corner.with_changes({"sprung.mass": corner.sprung.mass + BLOCK_MASS})
     corner = with_strut_angle(corner, values["strut_angle"]) if "strut_angle" in values else corner
-    return _preloaded(corner, values["spring_preload"]) if "spring_preload" in values else corner
+    return _set_preload(corner, values["spring_preload"]) if "spring_preload" in values else corner
 
 
 def corner_of(rig: Rig) -> Corner:
@@ -309,7 +309,7 @@ def corner_of(rig: Rig) -> Corner:
     return rig
 
 
-def _preloaded(rig: C, force: float) -> C:
+def _set_preload(rig: C, force: float) -> C:
     """Turn the spring's seat until its force at design length is ``force`` (N)."""
     spring = rig.strut.spring
     if spring.free_length is None:
@@ -332,7 +332,7 @@ def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
     return foot, ball - foot, axis
 
 
-def _assembled(rig: C, values: Mapping[str, float]) -> C:
+def _change_linkage(rig: C, values: Mapping[str, float]) -> C:
     """Make the changes of the linkage, if there are any."""
     geometry = [name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY]
     if not any(values[name] != SETTINGS[name].base(rig) for name in geometry):
@@ -359,7 +359,9 @@ def _assembled(rig: C, values: Mapping[str, float]) -> C:
         outward = np.array([0.0, rig.sign * values["camber_plate"], 0.0])
         tops = {f"{element}_top" for element in ("strut", "spring", "damper")} & rig.hardpoints.given().keys()
         inner |= {name: getattr(rig.hardpoints, name) + outward for name in tops}
-    shims = {name: -values["camber_shim"] * spin_axis(rig) for name in _shimmed(rig)} if "camber_shim" in values else {}
+    shims = (
+        {name: -values["camber_shim"] * spin_axis(rig) for name in _shim_joints(rig)} if "camber_shim" in values else {}
+    )
     changes = Changes({k: triple(v) for k, v in inner.items()}, lengths, shims, values.get("pushrod_length", 0.0))
     return refit(rig, changes)
 
@@ -369,7 +371,7 @@ def _arms(rig: Corner) -> list[str]:
     return [arm for arm in ("lower", "upper") if hasattr(rig.hardpoints, f"{arm}_arm_front")]
 
 
-def _shimmed(rig: Corner) -> list[str]:
+def _shim_joints(rig: Corner) -> list[str]:
     """Joints of the upright above the wheel centre, but for the tie rod's, where shims change the camber."""
     height, points = rig.hardpoints.wheel_centre[2], rig.hardpoints.given()
     joints = [name for name in dict.fromkeys(rods(rig).values()) if name not in _TIE_RODS]

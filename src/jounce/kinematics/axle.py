@@ -120,7 +120,7 @@ class WheelRows:
         along = -(still + lag(across)) / lag(axis)
         return np.asarray(across + along[:, None] * axis)
 
-    def seen(self, side: float) -> dict[str, Array]:
+    def rows_seen_from(self, side: float) -> dict[str, Array]:
         """Rows in ground axes: ``side`` is 1 for the left wheel, -1 for the right one."""
         return {name: side * value if name in _ODD else value for name, value in self.rows.items()}
 
@@ -262,8 +262,8 @@ class TwoWheelAxle:
         self.note(sweep)
         names = [row.name for row in sweep.model.rows]
         if side in self._directions:
-            self.slopes[side] = self._sloped(sweep, side, names, finite, count)
-        rows = self._flipped(dict(zip(names, values, strict=True)), rig)
+            self.slopes[side] = self._slopes_of(sweep, side, names, finite, count)
+        rows = self._flip(dict(zip(names, values, strict=True)), rig)
         return WheelRows(
             rows,
             float(sweep.walk.p[sweep.model.parameters.index("wheel.radius")]),
@@ -292,7 +292,7 @@ class TwoWheelAxle:
         )
         return connect(self.rig, model, numbers, left_wheel, right_wheel)
 
-    def _sloped(
+    def _slopes_of(
         self, sweep: PreparedSweep, side: float, names: list[str], finite: NDArray[np.intp], count: int
     ) -> dict[str, Array]:
         """Slopes of the rows of a sweep, each (directions, poses), in the axes of a left wheel."""
@@ -300,9 +300,9 @@ class TwoWheelAxle:
         ordered = sweep.in_place(tangents.reshape(-1, tangents.shape[2]), sweep.found.outcome == REACHED)
         slopes = np.full((*tangents.shape[:2], count), np.nan)
         slopes[:, :, finite] = ordered.reshape(*tangents.shape[:2], -1)
-        return self._flipped(dict(zip(names, slopes, strict=True)), self.of(side))
+        return self._flip(dict(zip(names, slopes, strict=True)), self.of(side))
 
-    def _flipped(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
+    def _flip(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
         return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
 
     def note(self, sweep: PreparedSweep) -> None:
@@ -372,14 +372,14 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
     check_roll(angles, "roll")
     axle, at = TwoWheelAxle(corner), to_si(rack, "m", where="rack travel")
-    variables = rolled(axle, angles, at)
+    variables = roll_axle(axle, angles, at)
     reached = np.isfinite(variables.values["track"])
     if not reached.any():
         raise no_pose(axle.ends)
     return variables.dataset(reached, axle, corner)
 
 
-def rolled(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
+def roll_axle(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
     """Roll an axle (rad) at one rack travel (m)."""
     left, right = axle.level(angles, rack)
     bend = _bend(axle, angles, rack)
@@ -402,7 +402,7 @@ def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> A
     outward = "positive: top outward"
     for wheel, name, travel in ((left, "left", -gain), (right, "right", gain)):
         variables.add_wheel(axle, wheel.wheel, name, wheel.side)
-        seen = wheel.wheel.seen(wheel.side)
+        seen = wheel.wheel.rows_seen_from(wheel.side)
         variables.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
         variables.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
         variables.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
@@ -515,7 +515,7 @@ class AxleVariables(SweepVariables):
 
     def add_wheel(self, axle: TwoWheelAxle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel in ground axes."""
-        rows = wheel.seen(side)
+        rows = wheel.rows_seen_from(side)
         for row in axle.rows_of(side):
             self.add(f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
 

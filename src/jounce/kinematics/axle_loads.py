@@ -86,7 +86,7 @@ def cases_in_python(case: Sequence[str] | None = None) -> str:
     "{'braking': {'longitudinal': -1.2}}"
     """
     cases = named_cases(case)
-    return repr(cases and {name: one.model_dump(exclude_unset=True) for name, one in cases.items()})
+    return repr(cases and {name: load_case.model_dump(exclude_unset=True) for name, load_case in cases.items()})
 
 
 @operation(
@@ -143,5 +143,5 @@ def load_axle(
     1
     """
     corner = check_corner(as_rig(rig))
-    found, findings = solved_cases(corner, car, cases)
-    return AxleLoads(corner, found, tuple(findings))
+    data, findings = solved_cases(corner, car, cases)
+    return AxleLoads(corner, data, tuple(findings))

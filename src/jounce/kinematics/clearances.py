@@ -229,7 +229,7 @@ class PosedCorner:
         s, t = _feet(first, second)
         gap = first.at(s) - second.at(t)
         distance = np.linalg.norm(gap, axis=1)
-        return distance, lambda: _over(np.einsum("ni,kni->kn", gap, first.moved(s) - second.moved(t)), distance)
+        return distance, lambda: _over(np.einsum("ni,kni->kn", gap, first.slopes_at(s) - second.slopes_at(t)), distance)
 
     def _to_rim(self, rim: Rim, bar: _Bar) -> _Gap:
         """Distance of a piece from the rim's cylinder."""
@@ -243,7 +243,7 @@ class PosedCorner:
 
         def slope() -> Array:
             assert self.turned is not None
-            offset = bar.moved(share) - self.moved["wheel_centre"]
+            offset = bar.slopes_at(share) - self.moved["wheel_centre"]
             along_slope = np.einsum("ni,kni->kn", axis, offset) + np.einsum("ni,kni->kn", place, self.turned)
             radius_slope = _over(np.einsum("ni,kni->kn", place, offset) - along * along_slope, radius)
             return _over((radius - rim.radius) * radius_slope + beyond * along_slope, distance)
@@ -268,7 +268,7 @@ class _Bar:
         """Places at shares (poses,) of its length."""
         return np.asarray(self.a + share[:, None] * (self.b - self.a))
 
-    def moved(self, share: Array) -> Array:
+    def slopes_at(self, share: Array) -> Array:
         """Slopes of those places."""
         return np.asarray(self.a_moved + share[:, None] * (self.b_moved - self.a_moved))
 

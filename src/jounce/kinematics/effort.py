@@ -10,7 +10,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, handwheel_rows
 from jounce.kinematics.column import handwheel_angle, rack_travel
-from jounce.kinematics.loads import ContactLoad, balanced, vector_forces
+from jounce.kinematics.loads import ContactLoad, balance_poses, vector_forces
 from jounce.kinematics.model import check_corner, check_rack
 from jounce.kinematics.sweeps import Values, prepare_sweep, sweep_values
 from jounce.parts import Corner, Rig
@@ -85,7 +85,7 @@ def steering_effort(
 def _rack_force(axle: TwoWheelAxle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
     """Force of a wheel on the rack, N, to the left; NaN at unreachable rack travels, which the axle records."""
     sweep = prepare_sweep(rig, travel, racks)
-    rows, joints = balanced(sweep, load)
+    rows, joints = balance_poses(sweep, load)
     axle.note(sweep)
     forces = vector_forces(joints, joints.balance.solve())
     inner = "tie_rod_inner" if "tie_rod_inner" in forces else "link_5_inner"

@@ -17,7 +17,7 @@ from jounce.core.text import guarded
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
 from jounce.kinematics.axle import TwoWheelAxle
-from jounce.kinematics.loads import ContactLoad, Joints, balanced, pickup_loads, single_forces, vector_forces
+from jounce.kinematics.loads import ContactLoad, Joints, balance_poses, pickup_loads, single_forces, vector_forces
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import CarLength, prepare_sweep
 from jounce.mechanics.contact import towards_road
@@ -255,7 +255,7 @@ def _of_wheel(
     rig: Corner, load: ContactLoad, travel: float, across: FromAcross | None
 ) -> dict[str, tuple[float, str, str]]:
     """Every force of one wheel: value, unit and label."""
-    _, joints = balanced(prepare_sweep(rig, travel), load)
+    _, joints = balance_poses(prepare_sweep(rig, travel), load)
     if across is not None:
         _put_across(joints, across)
     unknowns = joints.balance.solve()
@@ -320,7 +320,7 @@ def _together(
         forces = axle.connection(*wheels).forces
         off = np.array(
             [
-                wheel.rows["wheel_force"] + force - _pushed(load, wheel.rows, side)
+                wheel.rows["wheel_force"] + force - _equivalent_force(load, wheel.rows, side)
                 for wheel, force, load, side in zip(wheels, forces, loads, (1.0, -1.0), strict=True)
             ]
         )
@@ -345,7 +345,7 @@ def _together(
     ]
 
 
-def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
+def _equivalent_force(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
     """Force at the wheel centre (N, up) with the same work along the travel as a load (without aligning torque)."""
     rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the contact patch
     ahead = rows["contact_patch_recession"] * rise

@@ -260,11 +260,11 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     """
     corner = check_corner(rig)
     sweep = prepare_sweep(corner, travel, rack)
-    at, joints = balanced(sweep, load)
+    at, joints = balance_poses(sweep, load)
     return _dataset(sweep, joints, at["wheel_travel"], joints.balance.solve())
 
 
-def balanced(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array], Joints]:
+def balance_poses(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array], Joints]:
     """Rows of all reached poses, and the parts in balance there; more loads may be added."""
     rows = {name: value.ravel() for name, value in sweep.quantities().items()}
     reached = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
@@ -274,10 +274,10 @@ def balanced(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array],
     names = sweep.model.point_names
     points = {name: np.stack([places[f"{name}.{axis}"].ravel()[reached] for axis in "xyz"], axis=1) for name in names}
     rows = {name: value[reached] for name, value in rows.items()}
-    return rows, _balanced(sweep.rig, points, load, rows)
+    return rows, _balance_corner(sweep.rig, points, load, rows)
 
 
-def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
+def _balance_corner(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
     """Balance the parts of a corner."""
     rig.require("strut", what="what the joints carry")
     model = str(getattr(rig, "model", ""))

@@ -69,15 +69,17 @@ class KinematicModel:
         Its first argument has the coordinates of a pose, the change of the tracks, and that of ``parameters``. The pose
         changes with them, so that the loops stay closed.
         """
-        return self._moved(self.functions["output"])
+        return self._compile_slopes(self.functions["output"])
 
     @once
     def place_tangents(self) -> Native:
         """The same for ``points``, followed by camber and steer, which give the rotation of the wheel's axis."""
         angles = [next(i for i, row in enumerate(self.rows) if row.name == name) for name in ("camber", "steer")]
-        return self._moved(lambda *at: ca.vertcat(self.functions["points"](*at), self.functions["output"](*at)[angles]))
+        return self._compile_slopes(
+            lambda *at: ca.vertcat(self.functions["points"](*at), self.functions["output"](*at)[angles])
+        )
 
-    def _moved(self, values: Callable[..., ca.SX]) -> Native:
+    def _compile_slopes(self, values: Callable[..., ca.SX]) -> Native:
         q, u, p, m = (ca.SX.sym(name, n) for name, n in zip("qupm", self._sizes, strict=True))
         inputs = ca.vertcat(u, p)
         change = ca.SX.sym("change", inputs.shape[0])
@@ -132,8 +134,8 @@ def has_rack(rig: Corner) -> bool:
 def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
     """Refuse a corner whose wheel is not moved by a rack."""
     if not has_rack(rig):
-        found = f'model = "{getattr(rig, "model", "")}"'
-        raise DescriptionError("no rack moves this wheel", where="rack travel", found=found, allowed=allowed)
+        model = f'model = "{getattr(rig, "model", "")}"'
+        raise DescriptionError("no rack moves this wheel", where="rack travel", found=model, allowed=allowed)
 
 
 def _build(rig: Corner) -> KinematicModel:

@@ -69,7 +69,9 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
         _keep_spring(table["third_spring"], *lengths)
         _keep_damper(table["third_spring"].get("damper", {}), *lengths)
     if rig.torsion_bar is not None:
-        table["torsion_bar"]["preload"] += rig.torsion_bar.stiffness * _wound(rig, rig.torsion_bar.on, before, after)
+        table["torsion_bar"]["preload"] += rig.torsion_bar.stiffness * _turn_about_axis(
+            rig, rig.torsion_bar.on, before, after
+        )
     return type(rig).from_table(table)
 
 
@@ -89,22 +91,22 @@ def wheel_angles(rig: Corner, axis: Array) -> tuple[float, float]:
 def rigid_motion(before: Array, after: Array) -> tuple[Array, Array]:
     """Rotation (3, 3) and shift (3,) that bring points (n, 3) nearest to others; about a line, the least turn."""
     centre, target = before.mean(axis=0), after.mean(axis=0)
-    one, other = before - centre, after - target
-    sizes = np.linalg.svd(one, compute_uv=False)
+    first, second = before - centre, after - target
+    sizes = np.linalg.svd(first, compute_uv=False)
     if sizes[0] == 0.0:
         turn = np.eye(3)
     elif sizes[1] < _STRAIGHT * sizes[0]:
-        far = int(np.argmax(np.linalg.norm(one, axis=1)))
-        turn = _least_turn(one[far], other[far])
+        far = int(np.argmax(np.linalg.norm(first, axis=1)))
+        turn = _least_turn(first[far], second[far])
     else:
-        left, _, right = np.linalg.svd(other.T @ one)
+        left, _, right = np.linalg.svd(second.T @ first)
         turn = left @ np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))]) @ right
     return turn, target - turn @ centre
 
 
-def _least_turn(one: Array, other: Array) -> Array:
+def _least_turn(start: Array, end: Array) -> Array:
     """Rotation that brings a direction to another one the short way."""
-    a, b = one / np.linalg.norm(one), other / np.linalg.norm(other)
+    a, b = start / np.linalg.norm(start), end / np.linalg.norm(end)
     axis, cosine = np.cross(a, b), float(a @ b)
     skew = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
     return np.asarray(np.eye(3) + skew + skew @ skew / (1.0 + cosine))
@@ -122,13 +124,13 @@ def _body_motion(
     return turn, shift
 
 
-def _wound(rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> float:
+def _turn_about_axis(rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> float:
     """Turn (rad) of an arm, or the rocker, about its axis, positive in bump."""
     levers = []
     for points in (before, after):
-        one, other, tip = (np.array(points[name]) for name in AXES[body])
-        axis = (other - one) / np.linalg.norm(other - one)
-        levers.append(tip - one - ((tip - one) @ axis) * axis)
+        start, end, tip = (np.array(points[name]) for name in AXES[body])
+        axis = (end - start) / np.linalg.norm(end - start)
+        levers.append(tip - start - ((tip - start) @ axis) * axis)
     return float(np.arctan2(np.cross(*levers) @ bump_axis(rig, body), levers[0] @ levers[1]))
 
 

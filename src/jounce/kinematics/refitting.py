@@ -155,8 +155,8 @@ def _upright_places(rig: Corner, places: Mapping[str, Triple], lengths: Mapping[
             found=error.found,
             hint="Make smaller changes.",
         ) from None
-    found = function(pose.x, p).full()
-    return {name: triple(found[:, i]) for i, name in enumerate(_outer(rig))}
+    positions = function(pose.x, p).full()
+    return {name: triple(positions[:, i]) for i, name in enumerate(_outer(rig))}
 
 
 def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tuple[Array, Array]:
@@ -171,7 +171,7 @@ def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tu
     angle = _least_angle(float((away - along)[2]), float(np.cross(axis, away)[2]), float(height))
     if angle is None:
         raise AssemblyError("the arm does not reach the height of its wheel centre", where="hardpoints.arm_inner")
-    about = np.array([_turn(one, axis, angle) for one in np.eye(3)]).T
+    about = np.array([_turn(direction, axis, angle) for direction in np.eye(3)]).T
     return about @ turn, middle + about @ (shift - middle)
 
 
@@ -198,8 +198,8 @@ def _rocker_places(
     length = distance(before["pushrod_outer"], before["pushrod_inner"]) + longer
     turn = _turn_to(inner - pivot, end - pivot, np.array(after["pushrod_outer"]) - pivot, length)
     if turn is None:
-        found = f"{1e3 * longer:.4g} mm"
-        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=found)
+        change = f"{1e3 * longer:.4g} mm"
+        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=change)
     names = ("pushrod_inner", *points_on(rig, "rocker"))
     return {name: triple(pivot + _turn(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
 

@@ -446,10 +446,10 @@ def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> Prepa
     """
     corner = check_corner(rig)
     layout = grid(sweep_values(travel, "wheel travel"), sweep_values(_rack_of(corner, rack), "rack travel"))
-    return _laid_out(corner, layout)
+    return _prepare(corner, layout)
 
 
-def _laid_out(corner: Corner, layout: Grid) -> PreparedSweep:
+def _prepare(corner: Corner, layout: Grid) -> PreparedSweep:
     model = kinematic_model(corner)
     tracks = len(model.tracks)
     walk = Walk(
@@ -651,7 +651,7 @@ def sweep_path(
 def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
     """Run a sweep along pairs (m); return it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
     for chained in (True, False):  # pairs after one out of reach are reached from design
-        sweep = _laid_out(corner, path_grid(travel, rack, chained=chained))
+        sweep = _prepare(corner, path_grid(travel, rack, chained=chained))
         if numbers is not None:
             sweep.walk.p[:] = numbers
         values = sweep.run()

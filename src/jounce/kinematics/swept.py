@@ -65,14 +65,14 @@ class Swept(Plain):
 def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
     """Give every quantity with its unit and values in SI; None where there is no finite value."""
     shape = tuple(sweep.sizes.values())
-    found = {}
+    quantities = {}
     for name in map(str, (*sweep.coords, *sweep.data_vars)):
         variable = sweep[name]
         values = variable.to_numpy()
         if name in sweep.coords and name not in sweep.dims:
             values = np.broadcast_to(values, shape)
-        found[name] = {"units": str(variable.attrs.get("units", "1")), "values": values.tolist()}
-    return found
+        quantities[name] = {"units": str(variable.attrs.get("units", "1")), "values": values.tolist()}
+    return quantities
 
 
 @operation(

@@ -13,7 +13,7 @@ from jounce.core.samples import as_samples, as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import walk_variants
-from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, check_roll, rolled, steering_rows
+from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, check_roll, roll_axle, steering_rows
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, sweep_values
 from jounce.parts import Corner, Rig
@@ -108,7 +108,7 @@ def _of_wheel(
     sweep = prepare_sweep(rig, travel, rack)
     model = sweep.model
     parameters, columns = _parameters(sweep, rig, changes)
-    chosen = _chosen(model, quantities)
+    chosen = _choose_rows(model, quantities)
     count, poses = len(parameters), len(sweep.layout.place)
     _refuse_many(count * poses * len(chosen))
     out = np.empty((len(chosen), count, poses))
@@ -156,7 +156,7 @@ def _of_axle(
     def of(numbers: Array) -> AxleVariables:
         axle = TwoWheelAxle(rig, numbers)
         if roll is not None:
-            return rolled(axle, at, rack_of_roll)
+            return roll_axle(axle, at, rack_of_roll)
         return steering_rows(axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle)
 
     first = of(kinematic_model(rig).parameter_values(rig))
@@ -217,14 +217,14 @@ def _refuse_many(count: int) -> None:
 
 def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Array, dict[str, Array]]:
     """Numbers of all variants, shape (k, parameters), and the changed columns by path."""
-    columns = _changed(sweep.model, rig, changes)
+    columns = _read_changes(sweep.model, rig, changes)
     parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
     for path, column in columns.items():
         parameters[:, sweep.model.parameters.index(path)] = column
     return parameters, columns
 
 
-def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
+def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
     changes = by_path(changes)
     if not changes:
         raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
@@ -275,7 +275,7 @@ def _places(given: object, where: str) -> list[Array]:
     return list(np.array(rows).T)
 
 
-def _chosen(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
+def _choose_rows(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
     names = [row.name for row in model.rows]
     for name in quantities or ():
         if name not in names:

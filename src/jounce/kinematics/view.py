@@ -174,17 +174,17 @@ class CornerView:
     @cached_property
     def centre(self) -> Moving:
         """Wheel centre."""
-        return self._mirrored(self.linkage.wheel_centre)
+        return self._reflect(self.linkage.wheel_centre)
 
     @cached_property
     def axis(self) -> ca.SX:
         """Unit vector along the wheel's axis, pointing outboard."""
-        return self._mirrored(self.linkage.spin_direction).value
+        return self._reflect(self.linkage.spin_direction).value
 
     @cached_property
     def spin(self) -> ca.SX:
         """Angular velocity of the upright; mirroring reverses its components across y."""
-        return self._unturned(self.linkage.upright.spin)
+        return self._reflect_spin(self.linkage.upright.spin)
 
     @cached_property
     def radius(self) -> ca.SX:
@@ -445,7 +445,7 @@ class CornerView:
             ends.append(link_end(self.linkage))
         if self.linkage.rig.third_spring is not None:
             ends.append(third_end(self.linkage))
-        mirrored = [self._mirrored(end) for end in ends]
+        mirrored = [self._reflect(end) for end in ends]
         return ca.vertcat(*(part for end in mirrored for part in (end.value, end.rate)))
 
     @cached_property
@@ -499,9 +499,9 @@ class CornerView:
         stiffness = -ca.jacobian(force, length)
         return Elastic(*(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness)))
 
-    def _mirrored(self, moving: Moving) -> Moving:
+    def _reflect(self, moving: Moving) -> Moving:
         mirror = self._mirror
         return Moving(mirror * moving.value, mirror * moving.rate, mirror * moving.bias)
 
-    def _unturned(self, spin: ca.SX) -> ca.SX:
+    def _reflect_spin(self, spin: ca.SX) -> ca.SX:
         return ca.SX([self.side, 1.0, self.side]) * spin
