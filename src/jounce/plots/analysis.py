@@ -313,11 +313,11 @@ def integrated(found: Integration) -> Figure:
     figure = new_figure(5.0, max(7.6, 4.2 * len(shown)))
     grid = figure.subplots(3, len(shown), sharex=True, squeeze=False)
     first, last = float(found.time[0]), float(found.time[-1])
-    for column, one in zip(grid.T, shown, strict=True):
+    for column, row in zip(grid.T, shown, strict=True):
         signals = (
-            (one.channel, found.source.values(one.channel)[: len(found.time)], one.unit, 0.0),
-            (one.velocity_channel, one.velocity, one.velocity_unit, one.velocity_error),
-            (one.displacement_channel, one.displacement, one.displacement_unit, one.displacement_error),
+            (row.channel, found.source.values(row.channel)[: len(found.time)], row.unit, 0.0),
+            (row.velocity_channel, row.velocity, row.velocity_unit, row.velocity_error),
+            (row.displacement_channel, row.displacement, row.displacement_unit, row.displacement_error),
         )
         for axes, (name, values, si, error) in zip(column, signals, strict=True):
             unit = display_unit(si, float(np.abs(values).max()))

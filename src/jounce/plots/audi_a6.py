@@ -72,7 +72,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
     """Draw all signals of the runs with one pitch moment (N m): bounce, pitch, forces, road and moment."""
     runs = [run for run in study.runs if run.moment == moment]
     if not runs:
-        allowed = ", ".join(f"{one:g}" for one in sorted({run.moment for run in study.runs}))
+        allowed = ", ".join(f"{value:g}" for value in sorted({run.moment for run in study.runs}))
         raise RecordingError("no run with this moment", found=f"{moment:g} N m", allowed=allowed)
     figure = new_figure(8.4)
     rows = figure.subplots(len(_QUANTITIES), 1, sharex=True)
@@ -85,14 +85,14 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
 @styled
 def start_up_transient(study: AudiCase) -> Figure:
     """Draw how the paper's vehicle settles (mm) from the initial state of the demo to its equilibrium."""
-    found = study.start_up
+    start_up = study.start_up
     figure = new_figure(2.6)
     axes = figure.subplots()
     unit = display_unit("m")
-    axes.plot(found.signals["time"], unit.factor * found.signals["body.z"], color=PALETTE[0])
+    axes.plot(start_up.signals["time"], unit.factor * start_up.signals["body.z"], color=PALETTE[0])
     for value, text, above in (
-        (found.initial, "initial state of the demo", -10),
-        (found.equilibrium, "equilibrium", 4),
+        (start_up.initial, "initial state of the demo", -10),
+        (start_up.equilibrium, "equilibrium", 4),
     ):
         axes.axhline(unit.factor * value, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
         note = f"{text}: {quantity(value, 'm', 3)}"
@@ -100,7 +100,9 @@ def start_up_transient(study: AudiCase) -> Figure:
             note, (1.0, unit.factor * value), (-2, above), xycoords=("axes fraction", "data"),
             textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
         )  # fmt: skip
-    axes.set(xlabel="time [s]", ylabel=unit.label("height of the body"), xlim=(0.0, float(found.signals["time"][-1])))
+    axes.set(
+        xlabel="time [s]", ylabel=unit.label("height of the body"), xlim=(0.0, float(start_up.signals["time"][-1]))
+    )
     return figure
 
 

@@ -98,8 +98,8 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     unit = display_unit(QUANTITIES[known][0] if known else "1", float(np.abs(shown.measured).max()))
     for axes in rows[0]:
         axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="measured")
-        _simulated(axes, before, unit, BEFORE, "before updating", dashed=True)
-        _simulated(axes, after, unit, AFTER, "after updating", dashed=False)
+        _draw_simulated(axes, before, unit, BEFORE, "before updating", dashed=True)
+        _draw_simulated(axes, after, unit, AFTER, "after updating", dashed=False)
     for axes in rows[1]:
         for signal, colour, width in ((before, BEFORE, 0.8), (after, AFTER, 1.0)):
             if signal is not None:
@@ -108,14 +108,15 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     rows[0][0].set_title(f"trial {trial.entry.number}: {name}")
     comparison = trial.after or trial.before
     if comparison is not None and name in comparison.channels:
-        found = comparison.channels[name]
-        rating = f"ISO 18571 {found.iso18571:.2f} ({found.grade}), NRMSE {number(found.nrmse, 2)}, R² {found.r2:.2f}"
+        agreement = comparison.channels[name]
+        rating = f"ISO 18571 {agreement.iso18571:.2f} ({agreement.grade})"
+        rating += f", NRMSE {number(agreement.nrmse, 2)}, R² {agreement.r2:.2f}"
         rows[0][1].set_title(rating, loc="right", fontweight="normal", fontsize=8.5, color=INK)
     rows[0][0].set_ylabel(f"{words_of(name)}\n[{unit.name or '–'}]")
     rows[1][0].set_ylabel(f"residual\n[{unit.name or '–'}]")
 
 
-def _simulated(
+def _draw_simulated(
     axes: Axes, signals: Signals | None, unit: DisplayUnit, colour: str, label: str, *, dashed: bool
 ) -> None:
     if signals is None:
@@ -150,12 +151,12 @@ _MARKERS = "osD^vP"
 
 def channels_of(trials: Sequence[TrialResult]) -> list[str]:
     """All channels compared in any trial, in order of appearance."""
-    found: dict[str, None] = {}
+    names: dict[str, None] = {}
     for trial in trials:
         for comparison in (trial.after, trial.before):
             if comparison is not None:
-                found.update(dict.fromkeys(comparison.channels))
-    return list(found)
+                names.update(dict.fromkeys(comparison.channels))
+    return list(names)
 
 
 @styled

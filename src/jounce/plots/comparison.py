@@ -112,18 +112,18 @@ def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[st
 
 def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
     """Name what all runs are over: time, or what was swept."""
-    found = {}
+    axis_of = {}
     for label, data in runs.items():
         axes = [str(name) for name in data.dims if name in data.coords]
         axis = "time" if "time" in axes else axes[0] if len(axes) == 1 else ""
         if not axis:
             dimensions = " x ".join(map(str, data.dims)) or "none"
             raise RecordingError("curves over one axis are needed", where=label, found=dimensions)
-        found[label] = axis
-    if len(set(found.values())) > 1:
-        listed = ", ".join(f"{label}: {axis}" for label, axis in found.items())
+        axis_of[label] = axis
+    if len(set(axis_of.values())) > 1:
+        listed = ", ".join(f"{label}: {axis}" for label, axis in axis_of.items())
         raise RecordingError("these are over different axes", where="compare", found=listed)
-    return next(iter(found.values()))
+    return next(iter(axis_of.values()))
 
 
 def common_channels(
@@ -148,7 +148,7 @@ def common_channels(
 
 def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
     """Give a channel as (x, y) in SI, x ascending."""
-    x, y = (data.variables[one].to_numpy().astype(float) for one in (axis, name))
+    x, y = (data.variables[variable].to_numpy().astype(float) for variable in (axis, name))
     if len(x) > 1 and bool(np.any(np.diff(x) < 0.0)):
         order = np.argsort(x, kind="stable")
         x, y = x[order], y[order]

@@ -111,15 +111,15 @@ def design_front(front: DesignFront) -> Figure:
     down = -(-len(pairs) // across)
     figure = new_figure(2.7 * down + 3.0, 9.2)
     grid = figure.add_gridspec(down + 1, across, height_ratios=[*[2.7] * down, 2.4])
-    for k, (one, other) in enumerate(pairs):
+    for k, (first, second) in enumerate(pairs):
         axes = figure.add_subplot(grid[k // across, k % across])
         units = [
-            display_unit(front.goal_units[name], float(np.max(np.abs(front.goals[name])))) for name in (one, other)
+            display_unit(front.goal_units[name], float(np.max(np.abs(front.goals[name])))) for name in (first, second)
         ]
-        x, y = (front.goals[name] * unit.factor for name, unit in zip((one, other), units, strict=True))
+        x, y = (front.goals[name] * unit.factor for name, unit in zip((first, second), units, strict=True))
         axes.scatter(x, y, c=colours, s=26, zorder=3, linewidths=0)
         marker, face = _MARKERS["present"]
-        here = [front.present[name] * unit.factor for name, unit in zip((one, other), units, strict=True)]
+        here = [front.present[name] * unit.factor for name, unit in zip((first, second), units, strict=True)]
         axes.scatter(
             here[0],
             here[1],
@@ -131,7 +131,7 @@ def design_front(front: DesignFront) -> Figure:
             zorder=4,
             label="as it is",
         )
-        axes.set(xlabel=units[0].label(one), ylabel=units[1].label(other))
+        axes.set(xlabel=units[0].label(first), ylabel=units[1].label(second))
         if not k:
             axes.legend(loc="best", fontsize=8)
     _parallel_front(figure.add_subplot(grid[down, :]), front, colours)
@@ -165,10 +165,10 @@ def _parallel_front(axes: Axes, front: DesignFront, colours: Array) -> None:
 
 
 def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
+    paths: dict[str, list[str]] = {}
     for path in front.numbers:
-        found.setdefault(front.number_units[path], []).append(path)
-    return found
+        paths.setdefault(front.number_units[path], []).append(path)
+    return paths
 
 
 def _label(front: ParetoFront, role: str) -> str:
@@ -221,15 +221,15 @@ def _handles(front: ParetoFront) -> list[Any]:
     from matplotlib.lines import Line2D
 
     kinds = [kind for kind in _MARKERS if any(mark.kind == kind for mark in front.marks)]
-    found = [Line2D([], [], color=MUTED, marker=".", markersize=8, linewidth=0.8, label="best designs")]
+    handles = [Line2D([], [], color=MUTED, marker=".", markersize=8, linewidth=0.8, label="best designs")]
     for kind in kinds:
         marker, face = _MARKERS[kind]
-        found.append(
+        handles.append(
             Line2D(
                 [], [], linestyle="", marker=marker, markeredgecolor=INK, markerfacecolor=face, label=_KINDS[kind]
             )
         )  # fmt: skip
-    return found
+    return handles
 
 
 @styled
@@ -284,13 +284,13 @@ def _draw_number(axes: Axes, i: int, item: DesignNumber) -> None:
 def _number_handles(result: Optimisation) -> list[Any]:
     from matplotlib.lines import Line2D
 
-    found = [
+    handles = [
         Line2D([], [], linestyle="", marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, label="start"),
         Line2D([], [], linestyle="", marker="o", color=AFTER, markeredgecolor=INK, markersize=7, label="best"),
     ]
     if any(item.flat is not None for item in result.numbers):
-        found.append(Line2D([], [], color=AFTER, alpha=0.3, linewidth=8.0, label="objective within 1 %"))
-    return found
+        handles.append(Line2D([], [], color=AFTER, alpha=0.3, linewidth=8.0, label="objective within 1 %"))
+    return handles
 
 
 _Row = tuple[str, float, float, "DesignConstraint | None", str]
@@ -298,13 +298,13 @@ _Row = tuple[str, float, float, "DesignConstraint | None", str]
 
 def _rows(result: Optimisation) -> list[_Row]:
     """Name, value before and after, limit and unit of each bar: objective first, then limited channels."""
-    found: list[_Row] = [
+    rows: list[_Row] = [
         (name, result.before[name], result.after[name], None, result.units[name]) for name in result.objective
     ]
     for item in result.constraints:
         words = item.name.split()[1:] if item.channel != item.name else []
-        found.append((" ".join([item.channel, *words]), item.start, item.value, item, item.unit))
-    return found
+        rows.append((" ".join([item.channel, *words]), item.start, item.value, item, item.unit))
+    return rows
 
 
 def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
@@ -352,13 +352,13 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
     units = {"az": display_unit("m/s^2"), "force": display_unit("N")}
     for name, axes in zip(channels, grid.flat, strict=False):
         for i, (ride, spectrum) in enumerate(zip(rides, spectra, strict=True)):
-            found = spectrum[name]
+            estimate = spectrum[name]
             unit = units[name.rpartition(".")[2]]
-            band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
+            band = (estimate.frequency > 0.0) & (estimate.frequency <= _HIGHEST)
             style = "-" if i < len(PALETTE) else "--"
             axes.plot(
-                found.frequency[band],
-                unit.factor**2 * found.density[band],
+                estimate.frequency[band],
+                unit.factor**2 * estimate.density[band],
                 style,
                 color=PALETTE[i % len(PALETTE)],
                 label=in_legend(ride.control),
@@ -369,7 +369,7 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
         log_axes(axes)
         squared = f"({unit.name})²" if "/" in unit.name else f"{unit.name}²"
         axes.set(title=name, ylabel=f"power spectral density [{squared}/Hz]", xlim=(0.2, _HIGHEST))
-        low, high = _seen(axes)
+        low, high = _visible_range(axes)
         axes.set_ylim(low, high)
     for axes in grid.flat[len(channels) :]:
         axes.remove()
@@ -380,12 +380,12 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
     if len(handles) > 1:
         grid.flat[0].legend(handles, words, loc="lower left", fontsize=8)
     first = next(iter(spectra[0].values()))
-    told = f"{rides[0].duration:.3g} s, resolution {first.resolution:.2g} Hz"
-    figure.suptitle(f"{title}, {told}" if title else told, x=0.01, ha="left", fontsize=10)
+    subtitle = f"{rides[0].duration:.3g} s, resolution {first.resolution:.2g} Hz"
+    figure.suptitle(f"{title}, {subtitle}" if title else subtitle, x=0.01, ha="left", fontsize=10)
     return figure
 
 
-def _seen(axes: Axes) -> tuple[float, float]:
+def _visible_range(axes: Axes) -> tuple[float, float]:
     """Room for the lines within the frequencies shown, five decades at most."""
     greatest = max(float(np.nanmax(line.get_ydata(), initial=0.0)) for line in axes.lines)
     least = min(

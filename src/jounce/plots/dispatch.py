@@ -58,8 +58,8 @@ def figure_of(result: object, **options: Any) -> Figure:
     >>> figure_of(jn.HalfSine(height="10 mm", length="60 mm")).axes[0].get_ylabel()
     'height [mm]'
     """
-    found: Figure = _drawing()(result, **options)
-    return found
+    figure: Figure = _drawing()(result, **options)
+    return figure
 
 
 def show(result: object, **options: Any) -> Figure:
@@ -93,14 +93,14 @@ def _drawing() -> Callable[..., Figure]:
     """Build the dispatcher on first use: it needs the types of all packages, which are heavy to import."""
     global _dispatcher  # noqa: PLW0603 - made once a process
     if _dispatcher is None:
-        _dispatcher = _registered()
+        _dispatcher = _register()
     return _dispatcher
 
 
 _dispatcher: Callable[..., Figure] | None = None
 
 
-def _registered() -> Callable[..., Figure]:
+def _register() -> Callable[..., Figure]:
     import xarray as xr
 
     from jounce.analysis.integrate import Integration
@@ -147,7 +147,9 @@ def _registered() -> Callable[..., Figure]:
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         if "variant" in result.dims and "reason" in result:
-            has_metrics = any(one.dims == ("variant",) and one.dtype.kind == "f" for one in result.data_vars.values())
+            has_metrics = any(
+                variable.dims == ("variant",) and variable.dtype.kind == "f" for variable in result.data_vars.values()
+            )
             return (variants.tornado if has_metrics else variants.variant_bands)(result, **options)
         if "time" in result.dims:
             return signals.time_history(result, **options)

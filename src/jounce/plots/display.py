@@ -30,11 +30,11 @@ FAR_AWAY = ("instant_centre", "swing_arm")
 def settled(values: Array, si: str) -> Array:
     """Values (n,) of an SI unit, 0 where only rounding is left, and all alike where they differ by rounding only."""
     least = SMALLEST.get(si, 0.0)
-    found = np.where(np.abs(values) < least, 0.0, values)
-    known = found[np.isfinite(found)]
+    rounded = np.where(np.abs(values) < least, 0.0, values)
+    known = rounded[np.isfinite(rounded)]
     if known.size and np.ptp(known) <= max(1e-9 * float(np.max(np.abs(known))), least):
-        return np.where(np.isfinite(found), float(np.mean(known)), np.nan)
-    return found
+        return np.where(np.isfinite(rounded), float(np.mean(known)), np.nan)
+    return rounded
 
 
 def kinematic_value(name: str, value: float, si: str) -> float | str | None:
@@ -122,4 +122,4 @@ def raised(text: str) -> str:
     >>> raised("256e-6 m^3, above 0.5 m/s^2"), raised("x^2 in a law")
     ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')
     """
-    return _EXPONENT.sub(lambda found: found[1] + "²³"[int(found[2]) - 2], text)
+    return _EXPONENT.sub(lambda match: match[1] + "²³"[int(match[2]) - 2], text)

@@ -186,26 +186,26 @@ def legend_outside(figure: Figure, handles: Sequence[Any], labels: Sequence[str]
 
     ``columns`` are the most it may have.
     """
-    kept = [at_tick(label, _LONGEST_LABEL) for label in labels]
+    texts = [at_tick(label, _LONGEST_LABEL) for label in labels]
     room = float(figure.get_size_inches()[0]) * figure.dpi
 
     def wide(count: int) -> float:
-        tried = figure.legend(handles, kept, ncols=count)
-        share = float(tried.get_window_extent().width) / room
-        tried.remove()
+        legend = figure.legend(handles, texts, ncols=count)
+        share = float(legend.get_window_extent().width) / room
+        legend.remove()
         return share
 
-    widths = {count: wide(count) for count in range(min(columns, len(kept)), 0, -1)}
+    widths = {count: wide(count) for count in range(min(columns, len(texts)), 0, -1)}
     most = max(widths)
     if widths[most] <= _BESIDE_TITLE:
-        figure.legend(handles, kept, loc="outside upper right", ncols=most)
+        figure.legend(handles, texts, loc="outside upper right", ncols=most)
         return
     fitting = next((count for count, share in widths.items() if share <= 1.0), 1)
     if widths[fitting] > 1.0:
         figure.set_size_inches(1.02 * widths[fitting] * room / figure.dpi, figure.get_size_inches()[1])
-    height = 0.19 * -(-len(kept) // fitting)  # inches that the axes keep
+    height = 0.19 * -(-len(texts) // fitting)  # inches that the axes keep
     figure.set_size_inches(figure.get_size_inches()[0], figure.get_size_inches()[1] + height)
-    figure.legend(handles, kept, loc="outside lower right", ncols=fitting)
+    figure.legend(handles, texts, loc="outside lower right", ncols=fitting)
 
 
 _LONGEST_LINE, _LONGEST_LABEL, _LONGEST_TICK = 120, 60, 40  # characters
@@ -245,18 +245,18 @@ def columns_of(count: int, most: int = 3) -> int:
 
 
 def _shorten(figure: Figure) -> None:
-    """Cut other names, too, where they would leave no room."""
+    """Truncate long labels that would leave no room for the axes."""
     from matplotlib.legend import Legend
     from matplotlib.text import Text
 
     for legend in figure.findobj(Legend):
         assert isinstance(legend, Legend)
-        for one in legend.get_texts():
-            one.set_text(at_tick(one.get_text(), _LONGEST_LABEL))
-    for one in figure.findobj(Text):
-        assert isinstance(one, Text)
-        lines = CONTROL.sub(" ", one.get_text()).split("\n")
-        one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in lines))
+        for text in legend.get_texts():
+            text.set_text(at_tick(text.get_text(), _LONGEST_LABEL))
+    for text in figure.findobj(Text):
+        assert isinstance(text, Text)
+        lines = CONTROL.sub(" ", text.get_text()).split("\n")
+        text.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in lines))
 
 
 def name_figure(figure: Figure, title: str) -> Figure:
@@ -360,8 +360,8 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
     """
     import matplotlib as mpl
 
-    found = {}
-    with style(), _glyphs_told():
+    contents = {}
+    with style(), _report_missing_glyphs():
         mpl.rcParams["svg.hashsalt"] = salt
         _shorten(figure)
         # where a layout is solved from is seen in it, so that the next time shall start from there, too
@@ -376,30 +376,30 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
                 axes.set_in_layout(True)  # a position that was set would take the axes out of the next layout
         try:
             for suffix in suffixes:
-                found[suffix] = _content(figure, suffix)
+                contents[suffix] = _content(figure, suffix)
         finally:
             figure.set_layout_engine(engine)
             for axes, place, is_in_layout in before:
                 axes.set_position(place)
                 axes.set_in_layout(is_in_layout)
-    return found
+    return contents
 
 
 _GLYPH = re.compile(r"Glyph (\d+) .*missing from")
 
 
 @contextmanager
-def _glyphs_told() -> Iterator[None]:
-    """Say once of all letters, not of each with every drawing, that the font of pictures does not have them."""
+def _report_missing_glyphs() -> Iterator[None]:
+    """Log all characters that the font lacks in one message, not each with every drawing."""
     with caught_warnings() as caught:
         yield
     missing: set[str] = set()
-    for one in caught:
-        found = _GLYPH.match(str(one.message))
-        if found:
-            missing.add(chr(int(found[1])))
+    for warning in caught:
+        match = _GLYPH.match(str(warning.message))
+        if match:
+            missing.add(chr(int(match[1])))
         else:
-            warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
+            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
     if missing:
         _LOG.warning("letters that the font of pictures does not have are boxes: %s", "".join(sorted(missing)))
 

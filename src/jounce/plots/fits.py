@@ -203,11 +203,11 @@ def tyre_pressure(result: PressureStiffness) -> Figure:
     axes = figure.subplots()
     stiffness, pressure = display_unit("N/m"), display_unit("Pa")
     x = [value * pressure.factor for value in result.pressures]
-    y = [one.value * stiffness.factor for one in result.stiffnesses]
+    y = [estimate.value * stiffness.factor for estimate in result.stiffnesses]
     axes.plot(x, y, color=AFTER, label="interpolated")
-    for place, one in zip(x, result.stiffnesses, strict=True):
-        if one.interval is not None:
-            axes.plot([place, place], [end * stiffness.factor for end in one.interval], color=MUTED, linewidth=1.4)
+    for place, estimate in zip(x, result.stiffnesses, strict=True):
+        if estimate.interval is not None:
+            axes.plot([place, place], [end * stiffness.factor for end in estimate.interval], color=MUTED, linewidth=1.4)
     axes.plot(x, y, "o", color=MEASURED, markersize=5, label="fitted, with 95 % interval")
     axes.set(xlabel=pressure.label("inflation pressure"), ylabel=stiffness.label("tyre stiffness"))
     axes.margins(x=0.12, y=0.2)

@@ -90,28 +90,28 @@ def _drawings(
     wheels: list[WheelResult], record: xr.Dataset | None, words: dict[str, str], phase_limits: dict[str, float]
 ) -> list[Callable[[Axes], None]]:
     """What there is to draw, from left to right."""
-    found: list[Callable[[Axes], None]] = []
-    rigid = any(_known(_amplitude(wheel)) for wheel in wheels)
+    drawings: list[Callable[[Axes], None]] = []
+    rigid = any(_has_values(_amplitude(wheel)) for wheel in wheels)
     if rigid:
-        found.append(lambda axes: _over_frequency(axes, wheels, "amplitude", words))
-        if any(_known(wheel.curves.phase_deg) for wheel in wheels if wheel.curves is not None):
-            found.append(lambda axes: _phase(axes, wheels, words, phase_limits))
-    elif any(wheel.curves is not None and _known(wheel.curves.plate_amplitude) for wheel in wheels):
-        found.append(lambda axes: _over_frequency(axes, wheels, "plate", words))
+        drawings.append(lambda axes: _over_frequency(axes, wheels, "amplitude", words))
+        if any(_has_values(wheel.curves.phase_deg) for wheel in wheels if wheel.curves is not None):
+            drawings.append(lambda axes: _phase(axes, wheels, words, phase_limits))
+    elif any(wheel.curves is not None and _has_values(wheel.curves.plate_amplitude) for wheel in wheels):
+        drawings.append(lambda axes: _over_frequency(axes, wheels, "plate", words))
     if record is not None:
         sides = [side for side in _LOOKS if f"{side}.plate.force" in record]
         loads = {wheel.wheel: wheel.static_load for wheel in wheels}
         legend = any(side not in {wheel.wheel for wheel in wheels if wheel.curves is not None} for side in sides)
         if not rigid and any(f"{side}.plate.z" in record for side in sides):
-            found.append(lambda axes: _over_time(axes, record, "plate.z", 1e3, "height", words, {}, legend=legend))
+            drawings.append(lambda axes: _over_time(axes, record, "plate.z", 1e3, "height", words, {}, legend=legend))
         if sides:
-            found.append(
+            drawings.append(
                 lambda axes: _over_time(axes, record, "plate.force", 1e-3, "force", words, loads, legend=legend)
             )
-    return found
+    return drawings
 
 
-def _known(values: Array) -> bool:
+def _has_values(values: Array) -> bool:
     return bool(np.isfinite(values).any())
 
 
@@ -269,16 +269,16 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     from jounce.inspection.archive.history import QUANTITIES, day_number
     from jounce.inspection.quantities import NUMBERS
 
-    dated = [(date.fromordinal(day), one) for one in visits if (day := day_number(one.date)) is not None]
-    wheels = list(dict.fromkeys((one.axle, one.wheel) for _, one in dated))
+    dated = [(date.fromordinal(day), visit) for visit in visits if (day := day_number(visit.date)) is not None]
+    wheels = list(dict.fromkeys((visit.axle, visit.wheel) for _, visit in dated))
     axles = list(dict.fromkeys(axle for axle, _ in wheels))
     figure = new_figure(height)
     panels = figure.subplots(len(QUANTITIES), 1, sharex=True)
     for axes, name in zip(panels, QUANTITIES, strict=True):
         scale = NUMBERS[name].factor
         for axle, wheel in wheels:
-            own = [(day, one) for day, one in dated if (one.axle, one.wheel) == (axle, wheel)]
-            known = [(day, scale * value) for day, one in own if (value := one.values.get(name)) is not None]
+            own = [(day, visit) for day, visit in dated if (visit.axle, visit.wheel) == (axle, wheel)]
+            known = [(day, scale * value) for day, visit in own if (value := visit.values.get(name)) is not None]
             mark, line = _MARKS.get(wheel, ("o", "-"))
             colour = PALETTE[axles.index(axle) % len(PALETTE)]
             days, values = [day for day, _ in known], [value for _, value in known]
@@ -287,14 +287,14 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
                 days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip(), markersize=size,
                 markeredgecolor=edge, markeredgewidth=0.8,
             )  # fmt: skip
-            doubted = {day for day, one in own if name in one.unreliable}
+            doubted = {day for day, visit in own if name in visit.unreliable}
             hollow = [point for point in known if point[0] in doubted]
             if hollow:
                 axes.plot(
                     *zip(*hollow, strict=True), marker=mark, ls="none", ms=size, color=colour, markerfacecolor="white"
                 )
-        axes.set_title(NUMBERS[name].label() + (_HOLLOW if any(name in one.unreliable for _, one in dated) else ""))
-        shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
+        axes.set_title(NUMBERS[name].label() + (_HOLLOW if any(name in visit.unreliable for _, visit in dated) else ""))
+        shown = [scale * value for _, visit in dated if (value := visit.values.get(name)) is not None] or [1.0]
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:
         legend_above(panels[0])

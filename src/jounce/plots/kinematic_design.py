@@ -128,7 +128,7 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for k, (axes, target) in enumerate(zip(grid, targets, strict=False)):
         per_unit = 1.0 / (unit.factor * target.tolerance)
-        tornado(axes, {point_name(path): per_unit * one[k] for path, one in design.sensitivity.items()})
+        tornado(axes, {point_name(path): per_unit * effects[k] for path, effects in design.sensitivity.items()})
         axes.set_title(target.label, loc="left")
     for axes in grid[len(targets) :]:
         axes.set_visible(False)
@@ -143,13 +143,13 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
 def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) -> None:
     """Draw bars to either side, the largest on top, of what has an effect at all."""
     largest = max((abs(value) for value in effects.values()), default=0.0)
-    kept = [(name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest]
-    kept = sorted(kept, key=lambda one: -abs(one[1]))[:most]
-    colours = [PALETTE[0] if value > 0.0 else PALETTE[1] for _, value in kept]
-    axes.barh(range(len(kept)), [value for _, value in kept], color=colours, height=0.7)
+    bars = [(name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest]
+    bars = sorted(bars, key=lambda bar: -abs(bar[1]))[:most]
+    colours = [PALETTE[0] if value > 0.0 else PALETTE[1] for _, value in bars]
+    axes.barh(range(len(bars)), [value for _, value in bars], color=colours, height=0.7)
     axes.axvline(0.0, color=MUTED, linewidth=0.6)
-    axes.set_yticks(range(len(kept)), [name for name, _ in kept])
-    axes.set_ylim(max(len(kept), 3) - 0.5, -0.5)
+    axes.set_yticks(range(len(bars)), [name for name, _ in bars])
+    axes.set_ylim(max(len(bars), 3) - 0.5, -0.5)
     axes.grid(visible=False, axis="y")
 
 
@@ -331,27 +331,27 @@ def hardpoint_fit(fit: HardpointFit) -> Figure:
     along = display_unit("m")
     order = np.argsort(over, kind="stable")
     steered = moves and np.ptp(fit.rack_travel) > 0.0
-    for axes, (name, one) in zip(grid, fit.quantities.items(), strict=False):
-        unit = display_unit(one.unit, float(np.nanmax(np.abs(one.measured), initial=0.0)))
+    for axes, (name, curves) in zip(grid, fit.quantities.items(), strict=False):
+        unit = display_unit(curves.unit, float(np.nanmax(np.abs(curves.measured), initial=0.0)))
         x = over[order] * along.factor
         before, after = {"ls": "--", "marker": ""}, {"ls": "-", "marker": ""}
         if steered:  # poses with several racks lie on no one line
             before, after = {"ls": "none", "marker": "+"}, {"ls": "none", "marker": "o"}
         for values, style in (
-            (one.before, {"color": MUTED, "label": "before", **before}),
-            (one.measured, {"color": INK, "ls": "none", "marker": ".", "label": "measured"}),
-            (one.after, {"color": PALETTE[0], "mfc": "none", "label": "after", **after}),
+            (curves.before, {"color": MUTED, "label": "before", **before}),
+            (curves.measured, {"color": INK, "ls": "none", "marker": ".", "label": "measured"}),
+            (curves.after, {"color": PALETTE[0], "mfc": "none", "label": "after", **after}),
         ):
             axes.plot(x, np.array(values)[order] * unit.factor, **style)
         axes.set_title(unit.label(name.replace("_", " ")), loc="left")
         axes.set_xlabel(along.label("wheel travel" if moves else "rack travel"))
     axes = grid[count - 1]
-    for k, (label, found) in enumerate(fit.numbers.items()):
-        moved = (found.value - fit.before[label]) * along.factor
-        if found.interval is not None:
-            ends = [(end - fit.before[label]) * along.factor for end in found.interval]
+    for k, (label, estimate) in enumerate(fit.numbers.items()):
+        moved = (estimate.value - fit.before[label]) * along.factor
+        if estimate.interval is not None:
+            ends = [(end - fit.before[label]) * along.factor for end in estimate.interval]
             axes.plot(ends, [k, k], color=PALETTE[0], lw=2.0, solid_capstyle="butt")
-        axes.plot(moved, k, "o", color=PALETTE[0], mfc="white" if found.interval is None else PALETTE[0])
+        axes.plot(moved, k, "o", color=PALETTE[0], mfc="white" if estimate.interval is None else PALETTE[0])
     axes.axvline(0.0, color=MUTED, lw=0.7)
     axes.set_yticks(range(len(fit.numbers)), [point_name(label) for label in fit.numbers])
     axes.set_ylim(len(fit.numbers) - 0.4, -0.6)

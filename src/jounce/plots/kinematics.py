@@ -156,7 +156,7 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
     if not sweeps:
         raise RecordingError("no sweeps to draw", allowed="one or more")
     known = [name for name in _quantities(next(iter(sweeps.values()))) if _all_have(sweeps, name)]
-    over = {_along(one) for one in sweeps.values()}
+    over = {_along(data) for data in sweeps.values()}
     if len(over) > 1:
         raise RecordingError("sweeps over different things", found=", ".join(sorted(over)), allowed="one of them")
     for name in quantities or ():
@@ -236,7 +236,7 @@ def _quantities(sweep: xr.Dataset) -> list[str]:
 
 
 def _all_have(sweeps: Mapping[str, xr.Dataset], name: str) -> bool:
-    return all(name in _quantities(one) for one in sweeps.values())
+    return all(name in _quantities(data) for data in sweeps.values())
 
 
 def _along(sweep: xr.Dataset) -> str:
@@ -249,7 +249,7 @@ def _draw(axes: Axes, sweeps: Mapping[str, xr.Dataset], name: str) -> None:
     lines, places = [], []
     for label, sweep in sweeps.items():
         own = _lines(sweep, name, along)
-        lines += [(", ".join(filter(None, (in_legend(label), one))), values, which) for one, values, which in own]
+        lines += [(", ".join(filter(None, (in_legend(label), words))), values, which) for words, values, which in own]
         places += [sweep[along].to_numpy()] * len(own)
     si = str(first[lines[0][2]].attrs.get("units", "1"))
     if si == "m" and any(word in name for word in FAR_AWAY):

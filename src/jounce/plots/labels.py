@@ -42,7 +42,7 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
         if not names:
             continue
         points = np.array([places[name] for name in names])
-        heights = _untangled(points, inner, spread(points[:, 1], low, high - gap, gap))
+        heights = _untangle(points, inner, spread(points[:, 1], low, high - gap, gap))
         start = inner + (-0.04 if side == "right" else 0.04) * scale
         for name, point, height in zip(names, points, heights, strict=True):
             axes.plot([inner, point[0]], [height, point[1]], color=_LEADER, linewidth=0.5, zorder=6.0)
@@ -93,7 +93,7 @@ def spread(wanted: Array, low: float, high: float, gap: float) -> Array:
     return np.asarray(np.clip(even, low, high - steps[-1]) + steps)
 
 
-def _untangled(points: Array, start: float, heights: Array) -> Array:
+def _untangle(points: Array, start: float, heights: Array) -> Array:
     """Heights dealt out again until no two straight lines from ``start`` to the points cross."""
     heights = heights.copy()
     for _ in range(len(heights) ** 2):
@@ -151,7 +151,7 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
     frame = scale * np.asarray(axes.bbox.extents)
     sizes = scale * np.array([[box.width, box.height] for box in boxes]).reshape(-1, 2)
     layout = LabelLayout(points, np.asarray(radii, dtype=float), sizes, frame[:2], frame[2:])
-    for i, centre in enumerate(layout.placed()):
+    for i, centre in enumerate(layout.place_all()):
         is_away = float(np.hypot(*(layout.edge(i, centre[None])[0] - points[i]))) > radii[i] + 2.0 * _GAP
         line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.5, "shrinkB": float(radii[i])}
         axes.annotate(
@@ -171,14 +171,14 @@ class LabelLayout:
     low: Array  # lower left corner of where names may stand, shape (2,)
     high: Array  # upper right corner
 
-    def placed(self) -> Array:
+    def place_all(self) -> Array:
         """Centres of the names, shape (n, 2): each in turn goes where it costs least, until none wants to move.
 
         Examples
         --------
         >>> frame = np.full(2, -50.0), np.full(2, 50.0)
         >>> layout = LabelLayout(np.zeros((1, 2)), np.ones(1), np.array([[20.0, 8.0]]), *frame)
-        >>> layout.placed().tolist()   # to the right of its point
+        >>> layout.place_all().tolist()   # to the right of its point
         [[13.5, 0.0]]
         """
         options = [self._options(i) for i in range(len(self.points))]

@@ -127,12 +127,12 @@ def profile_likelihood(found: Posterior) -> Figure:
     tall = -(-count // wide)
     figure = new_figure(0.4 + 2.1 * tall, 2.9 * wide + 0.5)
     grid = figure.subplots(tall, wide, squeeze=False).ravel()
-    for axes, (path, one) in zip(grid, found.profiles.items(), strict=False):
-        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(one.values))))
-        values = one.values * unit.factor
-        top = int(np.argmax(one.log_likelihood))
-        axes.plot(values, one.log_likelihood, color=PALETTE[0], label="profile")
-        curvature = _curvature(values, one.log_likelihood, top)
+    for axes, (path, profile) in zip(grid, found.profiles.items(), strict=False):
+        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(profile.values))))
+        values = profile.values * unit.factor
+        top = int(np.argmax(profile.log_likelihood))
+        axes.plot(values, profile.log_likelihood, color=PALETTE[0], label="profile")
+        curvature = _curvature(values, profile.log_likelihood, top)
         if curvature > 0.0:
             parabola = -0.5 * curvature * (values - values[top]) ** 2
             axes.plot(values, parabola, "--", color=MUTED, lw=1.0, label="Gaussian")

@@ -66,7 +66,7 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['acceleration\n[m/s²]', 'force\n[N]']
     """
-    names = _chosen(run, channels)
+    names = _choose_channels(run, channels)
     figure = new_figure(0.55 + 1.2 * len(names) if len(names) > 1 else 2.8)
     rows = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
     time = run["time"].to_numpy()
@@ -89,7 +89,7 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     return figure
 
 
-def _chosen(run: xr.Dataset, channels: Sequence[str] | None) -> list[str]:
+def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[str]:
     present = [str(name) for name in run.data_vars if run[name].dims == ("time",)]
     if channels is None:
         channels = [name for name in _PREFERRED if name in present] or present[:_MOST_BY_DEFAULT]

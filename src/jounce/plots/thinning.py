@@ -37,9 +37,9 @@ def thinned(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[
     column = np.clip(((x - low) * (columns / (high - low))).astype(np.int32), -1, columns)
     starts = np.flatnonzero(np.diff(column, prepend=column[0] - 1))
     counts = np.diff(np.append(starts, len(x)))
-    kept = [starts, starts + counts - 1]
+    parts = [starts, starts + counts - 1]
     for extreme in (np.fmin, np.fmax):
         at = np.flatnonzero(y == np.repeat(extreme.reduceat(y, starts), counts))
-        kept.append(at[np.flatnonzero(np.diff(column[at], prepend=np.int32(-2)))])
-    index = np.unique(np.concatenate(kept))
+        parts.append(at[np.flatnonzero(np.diff(column[at], prepend=np.int32(-2)))])
+    index = np.unique(np.concatenate(parts))
     return x[index], y[index]

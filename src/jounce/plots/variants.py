@@ -62,16 +62,16 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
     ['max sprung.az', 'Regression']
     """
     names = metrics_of(many, metrics)
-    found = sensitivity_indices(many, names)
-    count = min(found.sizes["number"], _MOST_BARS)
+    indices = sensitivity_indices(many, names)
+    count = min(indices.sizes["number"], _MOST_BARS)
     names = names[: _MOST_ROWS // count if metrics is None else None]
     figure = new_figure((1.15 + 0.26 * count) * len(names), 9.2)
     grid = figure.subplots(len(names), 2, squeeze=False, width_ratios=[1.3, 1.0])
     for row, name in zip(grid, names, strict=True):
-        at = found.sel(metric=name)
+        at = indices.sel(metric=name)
         order = _order(at)[:count]
         _swings(row[0], at.isel(number=order), name, many[name])
-        _indices(row[1], at.isel(number=order), found.attrs["design"], many[name])
+        _indices(row[1], at.isel(number=order), indices.attrs["design"], many[name])
     grid[0, 0].legend(loc="lower right", ncols=2, bbox_to_anchor=(1.0, 1.0), columnspacing=1.2)
     return figure
 
@@ -142,7 +142,7 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
     paths = _mattering(many, names, _MOST_AXES)
     figure = new_figure(0.5 + 1.75 * len(names), max(1.0 + 1.9 * len(paths), 3.6))
     grid = figure.subplots(len(names), len(paths), squeeze=False, sharex="col", sharey="row")
-    chosen = _chosen(many, _MOST_POINTS)
+    chosen = _choose_variants(many, _MOST_POINTS)
     for row, name in zip(grid, names, strict=True):
         unit = _unit(many[name])
         y = many[name].to_numpy() * unit.factor
@@ -197,7 +197,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     figure = new_figure(3.6, max(5.0, 1.2 + 1.15 * len(columns)))
     axes = figure.subplots()
     first = many[names[0]].to_numpy()
-    chosen = _chosen(many, _MOST_LINES)
+    chosen = _choose_variants(many, _MOST_LINES)
     chosen = chosen[np.isfinite(first[chosen])]
     chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # what is least lies on top
     shares, ends, units = [], [], []
@@ -244,7 +244,7 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
     matplotlib.figure.Figure
         Axes one below the other, over time (s).
     """
-    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant", "time")]
+    known = [str(name) for name, variable in many.data_vars.items() if variable.dims == ("variant", "time")]
     names = [channels] if isinstance(channels, str) else list(channels or known[:4])
     if not names:
         raise DescriptionError("no channel was kept over time", where="channels", hint="Ask for outputs.")
@@ -253,37 +253,37 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
     time = many["time"].to_numpy()
     for axes, name in zip(column, names, strict=True):
         unit = _unit(many[name])
-        found = bands(many, name, (5.0, 25.0, 50.0, 75.0, 95.0)).to_numpy() * unit.factor
-        axes.fill_between(time, found[0], found[4], color=PALETTE[0], alpha=0.18, lw=0, label="5 to 95 %")
-        axes.fill_between(time, found[1], found[3], color=PALETTE[0], alpha=0.35, lw=0, label="25 to 75 %")
-        axes.plot(time, found[2], color=PALETTE[0], label="median")
+        percentiles = bands(many, name, (5.0, 25.0, 50.0, 75.0, 95.0)).to_numpy() * unit.factor
+        axes.fill_between(time, percentiles[0], percentiles[4], color=PALETTE[0], alpha=0.18, lw=0, label="5 to 95 %")
+        axes.fill_between(time, percentiles[1], percentiles[3], color=PALETTE[0], alpha=0.35, lw=0, label="25 to 75 %")
+        axes.plot(time, percentiles[2], color=PALETTE[0], label="median")
         axes.set_ylabel(unit.label(at_tick(name, 30)))
     column[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
     column[-1].set_xlabel("time [s]")
     return figure
 
 
-def _varied(many: xr.Dataset) -> list[str]:
-    found = numbers_of(many)
-    if not found:
+def _require_varied(many: xr.Dataset) -> list[str]:
+    paths = numbers_of(many)
+    if not paths:
         raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
-    return found
+    return paths
 
 
 def _mattering(many: xr.Dataset, metrics: Sequence[str], most: int) -> list[str]:
     """Paths that vary, in their order: all, or those that the first metric depends on most."""
-    paths = _varied(many)
+    paths = _require_varied(many)
     if len(paths) <= most:
         return paths
     try:
         at = sensitivity_indices(many, metrics[:1]).isel(metric=0)
     except DescriptionError:  # too few ran to tell
         return paths[:most]
-    kept = set(at["number"].to_numpy()[_order(at)[:most]])
-    return [path for path in paths if path in kept]
+    leading = set(at["number"].to_numpy()[_order(at)[:most]])
+    return [path for path in paths if path in leading]
 
 
-def _chosen(many: xr.Dataset, most: int) -> Array:
+def _choose_variants(many: xr.Dataset, most: int) -> Array:
     """Variants that are drawn: all, or as many as a picture takes, evenly."""
     count = many.sizes["variant"]
     return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))

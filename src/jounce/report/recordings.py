@@ -303,7 +303,7 @@ def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
 
     drawing = scene_of(rig)
     poses = poses_of(rig, drawing, data)
-    poses = poses.taken(np.unique(poses.over, return_index=True)[1])  # ascending, each place once
+    poses = poses.subset(np.unique(poses.over, return_index=True)[1])  # ascending, each place once
     mechanism, over = PosedRig(drawing, poses, axis == "time"), poses.over
 
     def motion(x: Array) -> Motion:

@@ -61,7 +61,7 @@ def crowded() -> LabelLayout:
 
 def test_names_cover_neither_names_nor_points() -> None:
     layout = crowded()
-    centres = layout.placed()
+    centres = layout.place_all()
     low, high = centres - 0.5 * layout.sizes, centres + 0.5 * layout.sizes
     assert (low > 0.0).all()
     assert (high < [400.0, 300.0]).all()
@@ -74,7 +74,7 @@ def test_names_cover_neither_names_nor_points() -> None:
 
 def test_lines_to_names_do_not_cross() -> None:
     layout = crowded()
-    centres = layout.placed()
+    centres = layout.place_all()
     lines = [(layout.points[i], layout.edge(i, centres[i][None])[0]) for i in range(len(centres))]
     for i, (a, b) in enumerate(lines):
         for c, d in lines[:i]:
@@ -88,7 +88,7 @@ def test_a_lone_name_stands_close_to_the_right() -> None:
     study_of_one = LabelLayout(
         np.array([[10.0, 20.0]]), np.array([4.0]), np.array([[30.0, 8.0]]), np.zeros(2), np.full(2, 99.0)
     )
-    (x, y), *_ = study_of_one.placed()
+    (x, y), *_ = study_of_one.place_all()
     assert (x - 15.0, y) == pytest.approx((10.0 + 4.0 + 2.5, 20.0))
 
 

@@ -69,12 +69,12 @@ def motion_of(
     if between is not None:
         ends = (tracks.nearest(to_si(value, tracks.unit, where="between"), "between") for value in between)
         first, last = sorted(ends)
-        tracks = tracks.taken(slice(first, last + 1))
+        tracks = tracks.subset(slice(first, last + 1))
     motion = Animation(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say)
-    kept, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
+    shown, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
     if len(tracks) > count:  # evenly chosen
-        kept = tracks.taken(np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int)))
-    return replace(motion, poses=kept, road=_roadway(trial, tracks, kept, scene))
+        shown = tracks.subset(np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int)))
+    return replace(motion, poses=shown, road=_roadway(trial, tracks, shown, scene))
 
 
 def film_poses(frames: int | None) -> Callable[[float], int]:
@@ -83,7 +83,7 @@ def film_poses(frames: int | None) -> Callable[[float], int]:
     return lambda seconds: int(min(most, max(2.0, FRAMES_A_SECOND * seconds + 1.5)))
 
 
-def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Roadway | None:
+def _roadway(trial: Trial | None, poses: Poses, shown: Poses, scene: Scene) -> Roadway | None:
     if trial is None:
         return None
     if not poses.in_time:
@@ -95,7 +95,7 @@ def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Ro
             where="trial",
             hint="Give the trial that the run was simulated with.",
         )
-    return roadway_of(trial, kept.over, scene.undeformed_radius)
+    return roadway_of(trial, shown.over, scene.undeformed_radius)
 
 
 @dataclass(frozen=True)

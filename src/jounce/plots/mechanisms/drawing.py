@@ -309,7 +309,7 @@ class Sheet:
         """Find scales with which all poses fill the width, beside the names of the hardpoints, and heights for them."""
         views = views_of(scene)
         cloud = np.vstack([everything(scene, pose) for pose in poses])
-        written = {**_named(scene.design), "contact point": None}
+        written = {**_hardpoints_of(scene.design), "contact point": None}
         across = _panel_width() - (2.0 * column_width(written) if names else 0.1) - _INSIDE
         tallest = (_TALLEST - _BOTTOM - _TOP - _ABOVE) / 2.0 - _INSIDE
         column = column_height(written) if names else 0.0
@@ -339,7 +339,7 @@ class Sheet:
         width, size = _panel_width(), np.array(self.paper)
         labels = [tuple(display_unit("m").label(word) for word in pair) for pair in ("yz", "xz", "yx")]
         labels.append(("", ""))
-        found = []
+        panels = []
         for k, view in enumerate(self.views):
             height = self.heights[k // 2]
             corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (self.heights[1] + _ABOVE))
@@ -350,8 +350,8 @@ class Sheet:
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel=labels[k][0], ylabel=labels[k][1])
             axes.set_title(view.name)
             show_ticks(axes, view)
-            found.append(axes)
-        return found
+            panels.append(axes)
+        return panels
 
 
 def _panel_width() -> float:
@@ -423,18 +423,21 @@ def draw_directions(axes: Axes, view: View) -> None:
 
 def handles_of(scene: Scene) -> list[Line2D]:
     """Legend of a rig: its parts, and what the marks mean."""
-    found = [_handle(part.words, part.colour, linewidth=2.2) for part in scene.parts]
-    found += [_handle("spring and damper", scene.strut_colour, linewidth=2.2), _handle("wheel", RUBBER, linewidth=1.1)]
-    return found + _marks(scene)
+    handles = [_handle(part.words, part.colour, linewidth=2.2) for part in scene.parts]
+    handles += [
+        _handle("spring and damper", scene.strut_colour, linewidth=2.2),
+        _handle("wheel", RUBBER, linewidth=1.1),
+    ]
+    return handles + _marks(scene)
 
 
 def pose_handles(scene: Scene, shown: Sequence[Pose], looks: Sequence[Look]) -> list[Line2D]:
     """Legend of several poses."""
-    found = [_handle(scene.design.label, INK, linewidth=2.2)]
-    found += [_handle(pose.label, str(look.colour), linewidth=1.8) for pose, look in zip(shown, looks, strict=True)]
-    found.append(_handle("path of the wheel centre", INK, linewidth=0.9))
-    found.append(_handle("path of the contact point", INK, linewidth=0.9, linestyle=DASHED))
-    return found + _marks(scene)
+    handles = [_handle(scene.design.label, INK, linewidth=2.2)]
+    handles += [_handle(pose.label, str(look.colour), linewidth=1.8) for pose, look in zip(shown, looks, strict=True)]
+    handles.append(_handle("path of the wheel centre", INK, linewidth=0.9))
+    handles.append(_handle("path of the contact point", INK, linewidth=0.9, linestyle=DASHED))
+    return handles + _marks(scene)
 
 
 def _marks(scene: Scene) -> list[Line2D]:
@@ -504,7 +507,7 @@ def mechanism(
     """
     scene = scene_of(rig)
     tracks = None if poses is None else poses_of(rig, scene, poses)
-    chosen = [] if tracks is None else _chosen(tracks, at)
+    chosen = [] if tracks is None else _choose_poses(tracks, at)
     shown = [] if tracks is None else [tracks.pose(k) for k in chosen]
     looks = [Look(colour, ghost=True) for colour in _colours(tracks, chosen)]
     handles = handles_of(scene) if tracks is None else pose_handles(scene, shown, looks)
@@ -520,7 +523,7 @@ def mechanism(
         draw_pose(axes, view, scene, scene.design, Look() if tracks is None else Look(INK))
         draw_steering_axis(axes, view, scene, scene.design)
         if names:
-            places = {**_named(scene.design), "contact point": scene.design.contact}
+            places = {**_hardpoints_of(scene.design), "contact point": scene.design.contact}
             floor = ARROWS if view is sheet.views[3] else 0.0
             flat = {name: MM * view.flat(place) for name, place in places.items()}
             write_names(axes, flat, sheet.scale_of(view), floor)
@@ -530,12 +533,12 @@ def mechanism(
     return figure
 
 
-def _named(pose: Pose) -> dict[str, Array]:
+def _hardpoints_of(pose: Pose) -> dict[str, Array]:
     """Places of the hardpoints of a pose, m."""
     return {name: place for name, place in pose.points.items() if name not in MIDDLE.values()}
 
 
-def _chosen(poses: Poses, at: Sequence[float | str] | None) -> list[int]:
+def _choose_poses(poses: Poses, at: Sequence[float | str] | None) -> list[int]:
     from jounce.core.units import to_si
 
     if at is None:

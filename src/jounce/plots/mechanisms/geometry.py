@@ -70,8 +70,8 @@ class _Centres:
         """Place (x, z) of the side-view instant centre."""
         return np.array([self.rows["side_instant_centre_x"], self.rows["side_instant_centre_z"]])
 
-    def told(self, name: str) -> float:
-        """A row as it is told: the height of a centre that lies nowhere is none."""
+    def value_to_show(self, name: str) -> float:
+        """Value of a row to write; infinite for the height of a centre that lies infinitely far away."""
         away = self.rows.get({"instant_centre_z": "instant_centre_y"}.get(name, name.replace("centre_z", "centre_x")))
         return self.rows[name] if away is None or abs(away) < PARALLEL else math.inf
 
@@ -124,21 +124,21 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     centres = {name: _centres(rig) for name, rig in named.items()}
     scene = list(centres.values())[-1].scene
     front, side, top, _ = views_of(scene)
-    clouds = [np.vstack([everything(one.scene, one.pose) for one in centres.values()])]
-    clouds += [np.array([[0.0, 0.0, one.pose.ground] for one in centres.values()])]
-    clouds += [np.array([[0.0, *one.roll] for one in centres.values()])]
+    clouds = [np.vstack([everything(geometry.scene, geometry.pose) for geometry in centres.values()])]
+    clouds += [np.array([[0.0, 0.0, geometry.pose.ground] for geometry in centres.values()])]
+    clouds += [np.array([[0.0, *geometry.roll] for geometry in centres.values()])]
     drawn = np.vstack([cloud[np.isfinite(cloud).all(axis=1)] for cloud in clouds])
     wheel = scene.design.points["wheel_centre"]
     ahead = drawn[drawn[:, 1] * scene.side > 0.0] if scene.side else drawn
     boxes = {
-        "front": _box(front, drawn, [_in_front(one.front) for one in centres.values()], wheel),
-        "side": _box(side, ahead, [_beside(one.side) for one in centres.values()], wheel),
+        "front": _box(front, drawn, [_in_front(geometry.front) for geometry in centres.values()], wheel),
+        "side": _box(side, ahead, [_beside(geometry.side) for geometry in centres.values()], wheel),
         "top": _box(top, drawn, [], wheel),
     }
     for name in ("front", "side"):  # they stand in line
         boxes[name][:, 1] = (
-            min(boxes[one][0, 1] for one in ("front", "side")),
-            max(boxes[one][1, 1] for one in ("front", "side")),
+            min(boxes[panel][0, 1] for panel in ("front", "side")),
+            max(boxes[panel][1, 1] for panel in ("front", "side")),
         )
     boxes["top"][:, 0] = boxes["front"][:, 0]
     figure, axes = _paper(boxes)
@@ -149,13 +149,13 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     for name, view in (("front", front), ("side", side), ("top", top)):
         axes[name].set_title(view.name)
         show_ticks(axes[name], view)
-        for k, one in enumerate(centres.values()):
+        for k, geometry in enumerate(centres.values()):
             last = k == len(centres) - 1
-            draw_pose(axes[name], view, one.scene, one.pose, None if last else Look(_OTHER, ghost=True))
-            _construction(axes[name], name, view, one, strong=last)
+            draw_pose(axes[name], view, geometry.scene, geometry.pose, None if last else Look(_OTHER, ghost=True))
+            _construction(axes[name], name, view, geometry, strong=last)
     _labels(axes)
     _numbers(axes["numbers"], centres)
-    _legend(figure, list(centres), steers=any(one.axis is not None for one in centres.values()))
+    _legend(figure, list(centres), steers=any(geometry.axis is not None for geometry in centres.values()))
     return figure
 
 
@@ -177,8 +177,8 @@ def _box(view: View, cloud: Array, centres: list[Array], wheel: Array) -> Array:
     """Lower and upper corner on paper, shape (2, 2), m, of what is drawn and of the centres that are not far away."""
     flat = view.flat(cloud)
     origin = view.flat(wheel)
-    near = [view.flat(one) for one in centres if np.max(np.abs(view.flat(one) - origin)) < _NEAR]
-    points = np.vstack([flat, *(one[None, :] for one in near)])
+    near = [view.flat(centre) for centre in centres if np.max(np.abs(view.flat(centre) - origin)) < _NEAR]
+    points = np.vstack([flat, *(point[None, :] for point in near)])
     return np.array([points.min(axis=0) - _ROOM, points.max(axis=0) + _ROOM])
 
 
@@ -207,17 +207,17 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
     return figure, axes
 
 
-def _construction(axes: Axes, name: str, view: View, one: _Centres, *, strong: bool) -> None:
+def _construction(axes: Axes, name: str, view: View, geometry: _Centres, *, strong: bool) -> None:
     """Draw what the mechanism turns about in one view."""
-    pose = one.pose
+    pose = geometry.pose
     style: dict[str, Any] = {"linewidth": 0.7, "zorder": 1.2}
     colours = (_OTHER,) * 3
     if strong:
         style, colours = {"linewidth": 1.1, "zorder": 4.5}, (_CENTRE, _ROLL, _AXIS)
-    ends = [*(one.scene.steering_axis or ())]
+    ends = [*(geometry.scene.steering_axis or ())]
     if name in ("front", "side"):
         axes.axhline(MM * pose.ground, color=MUTED, linewidth=0.7, zorder=0.5)
-        centre = one.front if name == "front" else one.side
+        centre = geometry.front if name == "front" else geometry.side
         place = _in_front(centre) if name == "front" else _beside(centre)
         if np.all(np.isfinite(place)):
             target = MM * view.flat(place)
@@ -228,11 +228,11 @@ def _construction(axes: Axes, name: str, view: View, one: _Centres, *, strong: b
                 _outside(axes, target, "y" if name == "front" else "x", float(centre[0]))
     if name == "front":
         axes.axvline(0.0, color=MUTED, linewidth=0.7, linestyle=(0, (8, 3, 2, 3)), zorder=0.5)
-        roll = MM * view.flat(np.array([0.0, *one.roll]))
+        roll = MM * view.flat(np.array([0.0, *geometry.roll]))
         _segment(axes, MM * view.flat(pose.contact), roll, color=colours[1], linestyle=(0, (4, 2)), **style)
         _mark(axes, roll, colours[1], "D", strong=strong)
-    if one.axis is not None:
-        ground, upper = one.axis
+    if geometry.axis is not None:
+        ground, upper = geometry.axis
         ends_on_paper = MM * view.flat(ground), MM * view.flat(upper)
         _segment(axes, *ends_on_paper, color=colours[2], linestyle=(0, (5, 2, 1, 2)), **style)
         _mark(axes, ends_on_paper[0], colours[2], "x", strong=strong)
@@ -284,8 +284,8 @@ def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
         unit = display_unit(si)
         words = unit.label(name.replace("_", " ")) if unit.name else name.replace("_", " ")
         axes.text(0.02, y, words, ha="left", va="center", fontsize=8.5, color=INK)
-        for x, one in zip(columns, centres.values(), strict=True):
-            value = kinematic_value(name, one.told(name), si)
+        for x, geometry in zip(columns, centres.values(), strict=True):
+            value = kinematic_value(name, geometry.value_to_show(name), si)
             text = value if isinstance(value, str) else number(value, 4)
             axes.text(x, y, text, ha="right", va="center", fontsize=8.5, color=INK)
     axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))

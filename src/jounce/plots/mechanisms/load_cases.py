@@ -32,7 +32,7 @@ _Drawn: TypeAlias = "tuple[Scene, Pose, xr.Dataset]"
 _PAPER = (11.0, 9.2)  # inches
 _ON_ROAD, _ON_BODY = "#c1121f", "#1d2126"  # no part has these colours
 _LONGEST = 0.30  # m on paper: the largest force
-_TOLD = 0.12  # share of the largest force from which a force has its number beside it
+_LABELLED = 0.12  # share of the largest force from which a force has its number beside it
 _SEEN = 0.01  # share of the largest force from which it is drawn
 _LEAST = 1e-3  # N
 
@@ -78,16 +78,16 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     left = rig if rig.side == "left" else rig.mirrored()
     wheels: list[_Drawn] = []
     for wheel, side in (("left", left), ("right", left.mirrored())):
-        one = found.sel(case=case, wheel=wheel)
+        loads = found.sel(case=case, wheel=wheel)
         scene = scene_of(side)
-        pose = poses_of(side, scene, sweep_travel(side, [float(one["wheel_travel"])], points=True)).pose(0)
-        wheels.append((scene, pose, one))
+        pose = poses_of(side, scene, sweep_travel(side, [float(loads["wheel_travel"])], points=True)).pose(0)
+        wheels.append((scene, pose, loads))
     wheels = _with_third_spring(_with_bar(left, wheels))
     figure = Figure(figsize=_PAPER)
     figure.suptitle(f"{case}: {wheels[0][0].title.partition(',')[0]}", x=0.06, ha="left", fontweight="bold")
     across = (0.0, 1.0, 0.0)
     views = axis_view("front view", across, (0.0, 0.0, 1.0)), axis_view("top view", across, (-1.0, 0.0, 0.0))
-    largest = max(float(np.linalg.norm(force)) for _, pose, one in wheels for _, _, force in _forces(pose, one))
+    largest = max(float(np.linalg.norm(force)) for _, pose, loads in wheels for _, _, force in _forces(pose, loads))
     length, force_unit = display_unit("m"), shown_as("kN")
     labels = ("front", length.label("z")), ("top", length.label("x"))
     for k, (view, (label, up)) in enumerate(zip(views, labels, strict=True)):
@@ -95,38 +95,38 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
         axes.set(xlabel=length.label("y"), ylabel=up)
         axes.set_title(view.name + (", forward down" if k else ", seen from ahead: the left wheel on the right"))
         axes.set_aspect("equal", adjustable="box")
-        for scene, pose, one in wheels:
+        for scene, pose, loads in wheels:
             draw_pose(axes, view, scene, pose)
-            _draw_forces(axes, view, _forces(pose, one), max(largest, _LEAST))
+            _draw_forces(axes, view, _forces(pose, loads), max(largest, _LEAST))
         if label == "front":
             ends = np.array([pose.contact for _, pose, _ in wheels])
             axes.axline(*(MM * view.flat(ends)), color=ROAD, linewidth=0.9, zorder=0.6)
         cloud = [everything(scene, pose) for scene, pose, _ in wheels]
-        cloud += [_ends(*force, largest) for _, pose, one in wheels for force in _forces(pose, one)]
+        cloud += [_ends(*force, largest) for _, pose, loads in wheels for force in _forces(pose, loads)]
         flat, room = MM * view.flat(np.vstack(cloud)), MM * np.array([0.12, 0.05])
         low, high = flat.min(axis=0) - room, flat.max(axis=0) + room
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         show_ticks(axes, view)
-        _tell_forces(axes, view, [f for _, pose, one in wheels for f in _forces(pose, one)], max(largest, _LEAST))
+        _label_forces(axes, view, [f for _, pose, loads in wheels for f in _forces(pose, loads)], max(largest, _LEAST))
     digits = 1 if length.factor >= MM else 2
-    travels = [f"{length.factor * float(one['wheel_travel']):+.{digits}f} {length.name}" for _, _, one in wheels]
+    travels = [f"{length.factor * float(loads['wheel_travel']):+.{digits}f} {length.name}" for _, _, loads in wheels]
     text = f"numbers: {force_unit.name}; wheel travel: left {travels[0]}, right {travels[1]}".replace("-", "−")
     figure.text(0.97, 0.012, text, ha="right", color=MUTED, fontsize=8.5)
-    told = (_ON_ROAD, "force of the road on the wheel"), (_ON_BODY, "force of the suspension on the body")
-    for i, (colour, words) in enumerate(told):
+    legend = (_ON_ROAD, "force of the road on the wheel"), (_ON_BODY, "force of the suspension on the body")
+    for i, (colour, words) in enumerate(legend):
         figure.text(0.07 + 0.24 * i, 0.012, f"→ {words}", color=colour, fontsize=8.5)
     return figure
 
 
 def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
-    """Wheels with the bar across a T-bar where both of them turn it; a corner alone knows them alike only."""
+    """Wheels with the T-bar as both of them turn it; one corner alone assumes that both wheels move alike."""
     if left.anti_roll_bar is None or left.anti_roll_bar.kind != "t":
         return wheels
-    travels = [float(one["wheel_travel"]) for _, _, one in wheels]
+    travels = [float(loads["wheel_travel"]) for _, _, loads in wheels]
     ends = from_across(left, (travels[0], travels[1]))
     return [
-        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end, "arb_axis": end.stem_end}), one)
-        for (scene, pose, one), end in zip(wheels, ends, strict=True)
+        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end, "arb_axis": end.stem_end}), loads)
+        for (scene, pose, loads), end in zip(wheels, ends, strict=True)
         if end.arm_end is not None and end.stem_end is not None
     ]
 
@@ -137,18 +137,18 @@ def _with_third_spring(wheels: list[_Drawn]) -> list[_Drawn]:
     if not all(name in pose.points for _, pose, _ in wheels):
         return wheels
     half = 0.5 * (wheels[0][1].points[name] + wheels[1][1].points[name])
-    return [(scene, replace(pose, points={**pose.points, MIDDLE[name]: half}), one) for scene, pose, one in wheels]
+    return [(scene, replace(pose, points={**pose.points, MIDDLE[name]: half}), loads) for scene, pose, loads in wheels]
 
 
-def _forces(pose: Pose, one: xr.Dataset) -> list[tuple[str, Array, Array]]:
+def _forces(pose: Pose, loads: xr.Dataset) -> list[tuple[str, Array, Array]]:
     """Colour, place (m) and vector (N) of all forces of a wheel."""
-    road = np.array([float(one[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")])
-    found = [(_ON_ROAD, pose.contact, road)]
+    road = np.array([float(loads[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")])
+    forces = [(_ON_ROAD, pose.contact, road)]
     for name in _BODY:
-        if f"{name}.fx" in one and name in pose.points:
-            force = np.array([float(one[f"{name}.f{axis}"]) for axis in "xyz"])
-            found.append((_ON_BODY, pose.points[name], force))
-    return found
+        if f"{name}.fx" in loads and name in pose.points:
+            force = np.array([float(loads[f"{name}.f{axis}"]) for axis in "xyz"])
+            forces.append((_ON_BODY, pose.points[name], force))
+    return forces
 
 
 _BODY = (
@@ -175,37 +175,38 @@ def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
         axes.annotate("", tuple(end), tuple(start), arrowprops=arrow, zorder=6.0)
 
 
-def _tell_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
+def _label_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
     """Write sizes of forces beside the free ends of their arrows, the largest first, none over another."""
     from matplotlib.patheffects import withStroke
 
     unit = shown_as("kN")
     sizes = [(float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces]
-    told = sorted((one for one in sizes if one[0] >= _TOLD * largest), key=lambda one: -one[0])
+    large = sorted((arrow for arrow in sizes if arrow[0] >= _LABELLED * largest), key=lambda arrow: -arrow[0])
     to_points = axes.transData + axes.figure.dpi_scale_trans.inverted()
-    arrows = [MM * view.flat(_ends(colour, place, force, largest)) for _, colour, place, force in told]
+    arrows = [MM * view.flat(_ends(colour, place, force, largest)) for _, colour, place, force in large]
     along = np.linspace(0.0, 1.0, _SAMPLES)[:, None]
     lines = [72.0 * to_points.transform(start + along * (end - start)) for start, end in arrows]
     low, high = 72.0 * to_points.transform(np.transpose([axes.get_xlim(), axes.get_ylim()]))
     low, high = np.minimum(low, high), np.maximum(low, high)
-    taken: list[Array] = []
-    for k, (size, colour, _, _) in enumerate(told):
+    occupied: list[Array] = []
+    for k, (size, colour, _, _) in enumerate(large):
         start, end = arrows[k]
         free, fast = (start, end) if colour == _ON_ROAD else (end, start)
         text = f"{1e-3 * unit.factor * size:.{2 if unit.name == 'kN' else 0}f}"
         room = np.array([_LETTER * len(text), _LINE])
         at = 72.0 * to_points.transform(free)
 
-        def hidden(offset: Array, at: Array = at, room: Array = room) -> tuple[int, int]:
-            """Numbers that one there would meet, or the frame; then how much of arrows it would lie on."""
+        def overlaps(offset: Array, at: Array = at, room: Array = room) -> tuple[int, int]:
+            """Count what a number there would overlap: other numbers and the frame, then points of arrows."""
             corner = at + offset
-            met = sum(bool((abs(corner - other) < room).all()) for other in taken)
+            met = sum(bool((abs(corner - other) < room).all()) for other in occupied)
             met += bool((corner < low).any() or (corner + room > high).any())
             under = sum(int(((line > corner) & (line < corner + room)).all(axis=1).sum()) for line in lines)
             return met, under
 
-        offset = min((np.array(one) for one in _beside(room, free - fast)), key=hidden)  # the first of equals
-        taken.append(at + offset)
+        offsets = map(np.array, _beside(room, free - fast))
+        offset = min(offsets, key=overlaps)  # the first of equals
+        occupied.append(at + offset)
         axes.annotate(
             text, tuple(free), tuple(offset), textcoords="offset points", fontsize=7.5, color=colour, zorder=6.5,
             ha="left", va="bottom", path_effects=[withStroke(linewidth=2.0, foreground="white")],

@@ -165,7 +165,7 @@ def scene_of(rig: Corner) -> Scene:
     require_corner(rig)
     from jounce.parts.leverage import AXES
 
-    lines, owners, holders = _carried(rig)
+    lines, owners, holders = _trace_linkage(rig)
     names = rig.hardpoints.given()
     stem = rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"
     if "arb_pivot" in names:
@@ -201,7 +201,7 @@ _Carried: TypeAlias = tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]
 _known: Recent[_Carried] = Recent()
 
 
-def _carried(rig: Corner) -> _Carried:
+def _trace_linkage(rig: Corner) -> _Carried:
     """Lines to draw, the body that each hardpoint moves with, and which bodies stand on the car; once a structure."""
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
@@ -222,23 +222,25 @@ def _brackets(
 ) -> tuple[Bracket, ...]:
     """Hold every point that its part's line does not reach; the rocker's axis is shown in the same way."""
     by_name = {part.name: part for part in parts}
-    found = []
+    brackets = []
     for name, owner in owners.items():
         part = by_name.get(owner)
         if part is None or name in part.points:
             continue
         edges = list(pairwise(part.points)) + ([(part.points[-1], part.points[0])] if part.plate else [])
-        found.append(min((_held(names, name, *edge, part.colour) for edge in edges), key=lambda held: held[0])[1])
+        brackets.append(
+            min((_bracket_to(names, name, *edge, part.colour) for edge in edges), key=lambda choice: choice[0])[1]
+        )
     if "rocker_axis" in names:
-        found.append(Bracket("rocker_axis", "rocker_pivot", "rocker_pivot", 0.0, COLOURS["rocker"]))
-    return tuple(found)
+        brackets.append(Bracket("rocker_axis", "rocker_pivot", "rocker_pivot", 0.0, COLOURS["rocker"]))
+    return tuple(brackets)
 
 
-def _held(
+def _bracket_to(
     names: Mapping[str, tuple[float, float, float]], name: str, first: str, second: str, colour: str
 ) -> tuple[float, Bracket]:
     """Distance in m of a point from the line between two others, and the bracket between."""
-    point, start, end = (np.array(names[one]) for one in (name, first, second))
+    point, start, end = (np.array(names[key]) for key in (name, first, second))
     along = end - start
     square = float(along @ along)
     share = float(np.clip((point - start) @ along / square, 0.0, 1.0)) if square > 0.0 else 0.0
@@ -314,7 +316,7 @@ class Poses:
             points, self.spin_axis[k], self.contact[k], float(self.ground[k]), bool(self.touches[k]), self.label(k)
         )
 
-    def taken(self, index: Any) -> Poses:
+    def subset(self, index: Any) -> Poses:
         """Only some of them, as numpy indexes."""
         return replace(
             self,
@@ -351,33 +353,33 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     dimension = _dimension(data)
     in_time = dimension == "time"
     points = _tracks(rig, scene, data, dimension, in_time=in_time)
-    one = {str(name): v.to_numpy().astype(float) for name, v in data.variables.items() if v.dims == (dimension,)}
+    series = {str(name): v.to_numpy().astype(float) for name, v in data.variables.items() if v.dims == (dimension,)}
     wheel = "right" if scene.side < 0 else "left"  # of a rolling axle
-    camber, steer = (_first(one, (name, f"wheel.{name}", f"{wheel}.{name}")) for name in ("camber", "steer"))
+    camber, steer = (_first(series, (name, f"wheel.{name}", f"{wheel}.{name}")) for name in ("camber", "steer"))
     axis = spin_axes(camber, steer, scene.side)
     radius = scene.undeformed_radius if in_time else scene.radius
     contact = contact_points(points["wheel_centre"], axis, radius)
     for kind in ("contact_point.{}", "contact_point_{}"):
         names = [kind.format(letter) for letter in "xyz"]
         for i, name in enumerate(names):
-            contact[:, i] = one.get(name, contact[:, i])
-    if in_time and "road.z" in one:
-        ground = one["road.z"]
+            contact[:, i] = series.get(name, contact[:, i])
+    if in_time and "road.z" in series:
+        ground = series["road.z"]
         contact[:, 2] = np.maximum(contact[:, 2], ground)  # the tyre is pressed flat
     else:
         ground = contact[:, 2].copy()
-    force = one.get("tyre.force")
+    force = series.get("tyre.force")
     touches = np.ones(len(ground), dtype=bool) if force is None else force > 0.0
-    over = dimension if dimension in one else _counted_by(one, dimension)
+    over = dimension if dimension in series else _counted_by(series, dimension)
     places = {f"{name}.{letter}" for name in points for letter in "xyz"}
-    signals = {name: v for name, v in one.items() if name not in places and name not in (over, "pose")}
+    signals = {name: v for name, v in series.items() if name not in places and name not in (over, "pose")}
     poses = Poses(
         points,
         axis,
         contact,
         ground,
         touches,
-        one[over],
+        series[over],
         over.replace("_", " "),
         str(data[over].attrs.get("units", "s" if in_time else "m")),
         in_time,
@@ -388,7 +390,7 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     known = np.isfinite(axis).all(axis=1) & np.isfinite(points["wheel_centre"]).all(axis=1)
     if not known.any():
         raise RecordingError("no pose is known; every one has gaps", where="poses")
-    return poses if known.all() else poses.taken(known)
+    return poses if known.all() else poses.subset(known)
 
 
 def _dimension(data: xr.Dataset) -> str:
@@ -412,13 +414,15 @@ def _dimension(data: xr.Dataset) -> str:
 def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_time: bool) -> dict[str, Array]:
     """Places of every hardpoint, shape (n, 3); on a body that stands still, those not in the data are at design."""
     count = data.sizes[dimension]
-    found, missing = {}, []
+    places, missing = {}, []
     for name, design in rig.hardpoints.given().items():
         names = [f"{name}.{letter}" for letter in "xyz"]
-        if all(one in data for one in names):
-            found[name] = np.stack([np.broadcast_to(data.variables[one].to_numpy(), count) for one in names], axis=1)
+        if all(column in data for column in names):
+            places[name] = np.stack(
+                [np.broadcast_to(data.variables[column].to_numpy(), count) for column in names], axis=1
+            )
         elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
-            found[name] = np.broadcast_to(np.array(design), (count, 3))
+            places[name] = np.broadcast_to(np.array(design), (count, 3))
         elif name not in (*BAR, "arb_axis"):  # a run does not know where its bar is
             missing.append(name)
     if missing:
@@ -427,22 +431,22 @@ def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_t
             where="poses",
             found=", ".join(missing),
         )
-    return with_middle(found)
+    return with_middle(places)
 
 
-def _first(one: Mapping[str, Array], names: tuple[str, ...]) -> Array:
+def _first(series: Mapping[str, Array], names: tuple[str, ...]) -> Array:
     for name in names:
-        if name in one:
-            return one[name]
+        if name in series:
+            return series[name]
     raise RecordingError(
         "the poses do not say how the wheel stands", where="poses", allowed=f"a variable {' or '.join(names)}"
     )
 
 
-def _counted_by(one: Mapping[str, Array], dimension: str) -> str:
+def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
     """Name of what a dimension without values of its own is counted by."""
     for name in ("wheel_travel", "rack_travel", "roll_angle"):
-        if name in one:
+        if name in series:
             return name
     raise RecordingError("the poses are not counted by anything", where="poses", found=f"dimension {dimension}")
 
@@ -486,17 +490,17 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
         )
     way = trial.speed * time
     distance, height = sampled(trial.road.segments(float(way[-1]) + REACH * radius))
-    kept = _bends(distance, height)
-    return Roadway(distance[kept], height[kept], way)
+    needed = _bends(distance, height)
+    return Roadway(distance[needed], height[needed], way)
 
 
 def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
     """Which points of a line are needed to see it; those on the straight between their neighbours are not."""
-    kept = np.ones(len(distance), dtype=bool)
+    needed = np.ones(len(distance), dtype=bool)
     while True:
-        at = np.flatnonzero(kept)
+        at = np.flatnonzero(needed)
         if len(at) < 3:
-            return kept
+            return needed
         before, here, after = at[:-2:2], at[1:-1:2], at[2::2]
         count = min(len(before), len(here), len(after))
         before, here, after = before[:count], here[:count], after[:count]
@@ -504,5 +508,5 @@ def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
         off = np.abs(height[before] + share * (height[after] - height[before]) - height[here])
         straight = here[off < 0.1 * _VISIBLE]
         if not len(straight):
-            return kept
-        kept[straight] = False
+            return needed
+        needed[straight] = False
