@@ -69,7 +69,7 @@ def check_tester(name: str, tester: Tester | None) -> list[Finding]:
     """Compare the tester that the header names with the one by which the record is evaluated."""
     if not name or tester is None:
         return []
-    own_name, kind = _shipped(name)
+    own_name, kind = _find_shipped(name)
     if kind and kind != tester.kind:
         return [problem("tester", "other_kind", name=name, kind=kind, tester=tester.name, own=tester.kind)]
     if tester.name in (name, own_name):
@@ -78,14 +78,14 @@ def check_tester(name: str, tester: Tester | None) -> list[Finding]:
 
 
 @lru_cache(maxsize=32)
-def _shipped(name: str) -> tuple[str, str]:
+def _find_shipped(name: str) -> tuple[str, str]:
     """Name and kind of a shipped tester, by its file or the name that it gives itself; empty where there is none."""
     from jounce.parts.testers import library, load_tester
 
     for file, path in library().items():
-        found = load_tester(path)
-        if name in (file, found.name):
-            return found.name, found.kind
+        tester = load_tester(path)
+        if name in (file, tester.name):
+            return tester.name, tester.kind
     return "", ""
 
 
@@ -94,7 +94,7 @@ def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
     inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
     if np.count_nonzero(inside) < _FEWEST_STROKES:
         return []
-    low, high = (float(one) for one in np.percentile(strokes[inside], [10.0, 90.0]))
+    low, high = (float(stroke) for stroke in np.percentile(strokes[inside], [10.0, 90.0]))
     if high <= _RIGID_SPREAD * low:
         return []
     return [problem(place, "not_rigid", high / max(low, 1e-12), low=1e3 * low, high=1e3 * high)]
@@ -108,7 +108,7 @@ def check_sprung(strokes: Array, frequency: Array, signals: WheelSignals, tester
     inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
     if tester.plate_spring_rate is None or np.count_nonzero(inside) < _FEWEST_STROKES:
         return []
-    low, high = (float(one) for one in np.percentile(strokes[inside], [10.0, 90.0]))
+    low, high = (float(stroke) for stroke in np.percentile(strokes[inside], [10.0, 90.0]))
     compressed = float(np.ptp(signals.force)) / tester.plate_spring_rate
     if high > _SPRUNG_SPREAD * low or compressed <= _COMPRESSED * (tester.stroke + high):
         return []

@@ -56,7 +56,7 @@ class Factor:
 
 def usual_factors(points: int = 28) -> tuple[Factor, ...]:
     """Tyre stiffness 140 to 300 kN/m, sprung mass 0.5 to 1.5 times the nominal one, strut friction up to 200 N."""
-    rates, shares, forces = (_spaced(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0)))
+    rates, shares, forces = (_space_evenly(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0)))
     return (
         Factor("tyre_stiffness", "tyre stiffness [kN/m]", 1e-3, rates, _of_tyre),
         Factor("load", "sprung mass / nominal sprung mass [–]", 1.0, shares, _of_load),
@@ -150,9 +150,9 @@ class Equivalence(Shown):
             }
             for name, plane in self.planes.items()
         }
-        found = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
-        found |= {"rejected_below": self.edges}
-        return plain_table({**found, "planes": planes, "disagreements": self.disagreements})
+        plain = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
+        plain |= {"rejected_below": self.edges}
+        return plain_table({**plain, "planes": planes, "disagreements": self.disagreements})
 
 
 @operation(
@@ -260,7 +260,7 @@ def compare_tests(
     """
     if not isinstance(rig, QuarterCar):
         raise SimulationError("the study varies quarter cars", where="rig", found=type(rig).__name__)
-    shares = np.asarray(_spaced(0.0, 0.95, 24) if wear is None else wear, dtype=float)
+    shares = np.asarray(_space_evenly(0.0, 0.95, 24) if wear is None else wear, dtype=float)
     chosen = tuple(usual_factors() if factors is None else factors)
     if not shares.size:
         raise DescriptionError("nothing to test", where="wear", allowed="shares of the damper that are lost, 0 to 1")
@@ -269,13 +269,13 @@ def compare_tests(
     columns = [(rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places]
     size = {factor.name: (len(shares), len(factor.values)) for factor in chosen}
     tables = {name: {quantity: np.full(shape, np.nan) for quantity in METHODS.values()} for name, shape in size.items()}
-    for done, ((factor, j), column) in enumerate(zip(places, _tested(columns, workers), strict=True), 1):
+    for done, ((factor, j), column) in enumerate(zip(places, _test_columns(columns, workers), strict=True), 1):
         for quantity, values in column.items():
             tables[factor.name][quantity][:, j] = values
         progress(done / len(places))
     planes = {factor.name: _plane(factor, shares, tables[factor.name], used) for factor in chosen}
-    found = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
-    return Equivalence(planes, found, chosen, used.label, len(columns) * len(shares), _edges(used))
+    disagreements = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
+    return Equivalence(planes, disagreements, chosen, used.label, len(columns) * len(shares), _edges(used))
 
 
 def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: float) -> float:
@@ -290,15 +290,15 @@ def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: 
 
 def _edges(limits: Limits) -> dict[str, float]:
     """Value of each method below which it rejects, where more is better."""
-    found: dict[str, float] = {}
+    edges: dict[str, float] = {}
     for method in METHODS:
         bands = limits.methods[method].bands if method in limits.methods else ()
         ends = [low.end for low, high in pairwise(bands) if low.verdict == "fail" and high.verdict != "fail"]
-        found |= {method: ends[0]} if ends else {}
-    return found
+        edges |= {method: ends[0]} if ends else {}
+    return edges
 
 
-def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
+def _test_columns(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
     """Test all columns, in their order."""
     workers = min(workers, sum(len(shares) for _, shares in columns) // _TESTS_OF_A_PROCESS)
     if workers <= 1:
@@ -317,15 +317,15 @@ def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
     """Values of the three methods for one car over its wear; not a number where a test gives none."""
     rig, shares = column
     rigid, sprung = load_tester(_RIGID), load_tester(_SPRUNG)
-    found = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
+    results = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
     for i, share in enumerate(shares):
         car = worn(rig, float(share))
         wheel = evaluate(simulate_test(car, rigid, truth=False), rigid, methods=["eusama", "egea"]).wheels[0]
         mode = wheel_mode(_without_friction(car), sprung, on="road")
         values = (wheel.adhesion, wheel.phase_angle_min_deg, None if mode is None else mode.damping_ratio)
         for quantity, value in zip(METHODS.values(), values, strict=True):
-            found[quantity][i] = np.nan if value is None else value
-    return found
+            results[quantity][i] = np.nan if value is None else value
+    return results
 
 
 def _without_friction(rig: QuarterCar) -> QuarterCar:
@@ -368,5 +368,5 @@ def _range(values: Array, chosen: NDArray[np.bool_]) -> tuple[float, float] | No
     return (float(there.min()), float(there.max())) if len(there) else None
 
 
-def _spaced(low: float, high: float, points: int) -> tuple[float, ...]:
+def _space_evenly(low: float, high: float, points: int) -> tuple[float, ...]:
     return tuple(map(float, np.linspace(low, high, points)))

@@ -103,7 +103,7 @@ def evaluate(
     (0.71, False)
     """
     record = as_recording(record, where="record")
-    facts, said = read_facts(record.attrs)
+    facts, notes = read_facts(record.attrs)
     tester = None if tester is None else as_tester(tester)
     task = _task(tester, vehicle, methods, str(facts.get("axle", "")))
     sides = tested_wheels(record, facts)
@@ -118,13 +118,13 @@ def evaluate(
     except RecordingError as error:
         dataset, clock = record, [problem("time", "clock", text=str(error))]
     named = checks.check_tester(str(facts.get("tester", "")), tester)
-    general = [*said, *clock, *named]
+    general = [*notes, *clock, *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
-    wheels = [_unfit(side, about) for side in sides if (about := [one for one in unfit if _concerns(one, side)])]
+    wheels = [_unfit(side, about) for side in sides if (about := [item for item in unfit if _concerns(item, side)])]
     sound = tuple(side for side in sides if all(wheel.wheel != side for wheel in wheels))
     wheels += _evaluate_wheels(dataset, sound, facts, task) if sound else []
     wheels += _without_force(record, facts)
-    wheels.sort(key=lambda one: SIDES.index(one.wheel))
+    wheels.sort(key=lambda wheel: SIDES.index(wheel.wheel))
     axle = {"axle": facts["axle"]} if "axle" in facts else {}
     return Inspection(tuple(wheels), axle, facts, task.methods, tuple(general))
 
@@ -202,7 +202,7 @@ def wheel_load(vehicle: Any, axle: str = "") -> float | None:
     if len(known) == 2:
         return GRAVITY * sum(known)
     here, there = (getattr(vehicle, part, None) for part in (axle, {"front": "rear", "rear": "front"}.get(axle, "")))
-    if not all(hasattr(one, "unsprung_mass") for one in (here, there)):
+    if not all(hasattr(place, "unsprung_mass") for place in (here, there)):
         return None
     share = there.distance / (here.distance + there.distance)  # type: ignore[union-attr]
     return GRAVITY * float(0.5 * share * vehicle.body.mass + here.unsprung_mass)  # type: ignore[union-attr]
@@ -224,25 +224,25 @@ def _evaluate_wheels(
 ) -> list[WheelResult]:
     signals = {side: signals_of(record, side, task.tester) for side in sides}
     stroke = task.tester.stroke if task.tester is not None else 6e-3
-    heights, share = {side: one.height for side, one in signals.items()}, 0.15 if task.rigid else 0.05
-    if not task.rigid and any(spring_against_height(one, task.tester) < -SWINGS for one in signals.values()):
-        heights, share = {side: exciter_height(one, task.tester) for side, one in signals.items()}, _EXCITER
+    heights, share = {side: wheel.height for side, wheel in signals.items()}, 0.15 if task.rigid else 0.05
+    if not task.rigid and any(spring_against_height(wheel, task.tester) < -SWINGS for wheel in signals.values()):
+        heights, share = {side: exciter_height(wheel, task.tester) for side, wheel in signals.items()}, _EXCITER
     beside = {side: next((heights[name] for name in sides if name != side), None) for side in sides}
-    moving = {side: _moving(one, heights[side], share * stroke, beside[side]) for side, one in signals.items()}
+    moving = {side: _moving(wheel, heights[side], share * stroke, beside[side]) for side, wheel in signals.items()}
     measured = {}
-    for side, one in signals.items():
+    for side, wheel in signals.items():
         span, other = moving[side], next((moving[name] for name in sides if name != side), None)
         if span is not None:
-            still = standstill_force(one, span, other)
-            measured[side] = float(np.mean(one.force[span[0] : span[1]])) if still is None else still
-    pair = checks.check_pair({side: one.static_load for side, one in signals.items()}, measured)
+            still = standstill_force(wheel, span, other)
+            measured[side] = float(np.mean(wheel.force[span[0] : span[1]])) if still is None else still
+    pair = checks.check_pair({side: wheel.static_load for side, wheel in signals.items()}, measured)
     pair += checks.check_order(str(facts.get("wheel_order", "")), moving)
     results = []
-    for side, one in signals.items():
+    for side, wheel in signals.items():
         pair = pair if side == sides[0] or _is_unfit(pair) else []
         other = next((moving[name] for name in sides if name != side), None)
         raw = np.asarray(record[f"{side}.{FORCE}"].values, dtype=float)
-        results.append(_evaluate_wheel(one, raw, moving[side], other, measured.get(side), pair, facts, task))
+        results.append(_evaluate_wheel(wheel, raw, moving[side], other, measured.get(side), pair, facts, task))
     return results
 
 
@@ -397,10 +397,10 @@ def _by_methods(
     unreliable: dict[str, None] = {}
     for key, method in METHODS.items():
         if key in chosen:
-            found = method.evaluate(test)
-            known, halves, findings = known | found.values, halves | found.half_widths, findings + found.findings
-            unreliable |= dict.fromkeys(found.unreliable)
-            curves = curves if found.phase_deg is None else replace(curves, phase_deg=found.phase_deg)
+            result = method.evaluate(test)
+            known, halves, findings = known | result.values, halves | result.half_widths, findings + result.findings
+            unreliable |= dict.fromkeys(result.unreliable)
+            curves = curves if result.phase_deg is None else replace(curves, phase_deg=result.phase_deg)
     return WheelResult(
         wheel=test.signals.wheel,
         static_load=test.load,

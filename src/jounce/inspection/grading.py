@@ -67,8 +67,8 @@ def difference_of(
     a, b = first.value(quantity), second.value(quantity)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         return None
-    doubted = tuple(name for name, one in zip(places, (first, second), strict=True) if quantity in one.unreliable)
-    halves = [one.uncertainty.get(quantity) for one in (first, second)]
+    doubted = tuple(name for name, wheel in zip(places, (first, second), strict=True) if quantity in wheel.unreliable)
+    halves = [wheel.uncertainty.get(quantity) for wheel in (first, second)]
     half = math.hypot(*halves) if None not in halves else None  # type: ignore[arg-type]
     gap, greatest, least = abs(a - b), max(a, b), max(min(a, b), 0.0)
     smaller = "" if a == b else places[0] if a < b else places[1]
@@ -91,36 +91,36 @@ def grade_differences(
     the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt. One of
     unreliable values is in no band.
     """
-    graded = {one.quantity: one for one in differences}
+    graded = {difference.quantity: difference for difference in differences}
     reasons: list[Reason] = []
     for name, criterion in limits.differences.items():
-        one = graded.get(criterion.quantity)
-        if criterion.across != across or one is None:
+        difference = graded.get(criterion.quantity)
+        if criterion.across != across or difference is None:
             continue
         absolute = criterion.definition == "absolute"
-        value = one.absolute if absolute else one.relative
-        half = one.uncertainty if absolute else one.relative_uncertainty
+        value = difference.absolute if absolute else difference.relative
+        half = difference.uncertainty if absolute else difference.relative_uncertainty
         band = sure = None if value is None else criterion.band_of(value)
         if value is not None and half is not None:
             sure = criterion.band_of(max(value - half, 0.0))
         counts = criterion.verified and bool(set(criterion.methods) & set(used))
-        if one.unreliable:
+        if difference.unreliable:
             if counts:
-                about = {"criterion": criterion, "across": across, "places": one.unreliable}
+                about = {"criterion": criterion, "across": across, "places": difference.unreliable}
                 reasons.append(Reason("unreliable_difference", "", about))
             continue
         if band is None or sure is None:
             if counts:
                 reasons.append(Reason("no_difference", "", {"quantity": criterion.quantity}))
             continue
-        graded[criterion.quantity] = replace(one, bands={**one.bands, name: sure})
+        graded[criterion.quantity] = replace(difference, bands={**difference.bands, name: sure})
         if counts:
             values = {
                 "criterion": criterion, "value": value, "half": half, "band": sure, "verdict": sure.verdict,
                 "across": across, "definition": criterion.definition,
             }  # fmt: skip
             reasons.append(Reason("difference" if sure is band else "may_be", sure.verdict, values))
-    return tuple(graded.values()), sorted(reasons, key=lambda one: {"fail": 0, "advise": 1}.get(one.verdict, 2))
+    return tuple(graded.values()), sorted(reasons, key=lambda reason: {"fail": 0, "advise": 1}.get(reason.verdict, 2))
 
 
 USUAL_TYRE = 200e3
@@ -132,26 +132,26 @@ def explain(wheel: WheelResult, bands: Mapping[str, VerdictBand], limits: Limits
     """Say why methods disagree about a wheel, from its values and bands by method; nothing where they agree."""
     if len({band.verdict for band in bands.values()}) < 2:
         return []
-    found = [Reason("disagree", "", {"grades": tuple(bands.items())})]
+    reasons = [Reason("disagree", "", {"grades": tuple(bands.items())})]
     rank = {method: VERDICTS.index(band.verdict) for method, band in bands.items()}
     others = {method: value for method, value in rank.items() if method != "eusama"}
     if "eusama" in rank and all(value != rank["eusama"] for value in others.values()):
-        found += _of_adhesion(wheel, limits)
+        reasons += _of_adhesion(wheel, limits)
     if "egea" in rank and "theta" in rank and rank["egea"] != rank["theta"]:
-        found.append(Reason("limits_differ"))
-    return found
+        reasons.append(Reason("limits_differ"))
+    return reasons
 
 
 def _of_adhesion(wheel: WheelResult, limits: Limits) -> list[Reason]:
-    found = []
+    reasons = []
     limit = limits.methods["eusama"].passing_from()
     if wheel.lift_off or wheel.adhesion == 0.0:
-        found.append(Reason("lifted"))
+        reasons.append(Reason("lifted"))
     elif wheel.adhesion is not None and wheel.static_load is not None and limit is not None and limit < 1.0:
         force = (1.0 - wheel.adhesion) * wheel.static_load
         values = {"force": force, "load": wheel.static_load, "needed": force / (1.0 - limit)}
-        found.append(Reason("mass", "", {**values, "limit": limit, "criterion": limits.methods["eusama"]}))
-    return found + _of_tyre(wheel)
+        reasons.append(Reason("mass", "", {**values, "limit": limit, "criterion": limits.methods["eusama"]}))
+    return reasons + _of_tyre(wheel)
 
 
 def _of_tyre(wheel: WheelResult) -> list[Reason]:
@@ -272,8 +272,8 @@ class VehicleGrade:
     def summary(self) -> dict[str, Any]:
         """Plain JSON object of what is said about the vehicle as a whole."""
         sides: dict[str, dict[str, Any]] = {}
-        for one in self.differences:
-            sides.setdefault(one.place, {})[one.quantity] = to_plain(one.to_dict())
+        for difference in self.differences:
+            sides.setdefault(difference.place, {})[difference.quantity] = to_plain(difference.to_dict())
         return {"verdict": self.verdict, "reasons": [reason.text() for reason in self.reasons], "differences": sides}
 
 
@@ -292,12 +292,12 @@ def worst(verdicts: Iterable[str]) -> str:
     >>> worst(["pass", "advise"]), worst(["pass", "not graded"]), worst(["not graded", "fail"]), worst([])
     ('advise', 'not graded', 'fail', 'not graded')
     """
-    found = list(verdicts)
-    if "fail" in found:
+    listed = list(verdicts)
+    if "fail" in listed:
         return "fail"
-    if not found or NOT_GRADED in found:
+    if not listed or NOT_GRADED in listed:
         return NOT_GRADED
-    return max(found, key=VERDICTS.index)
+    return max(listed, key=VERDICTS.index)
 
 
 def grade(
@@ -340,10 +340,17 @@ def grade(
     counted = None if deciding is None else tuple(deciding)
     grades = tuple(_grade_wheel(wheel, inspection, chosen, counted) for wheel in inspection.wheels)
     firm = [method for method in METHODS if method in chosen.methods and chosen.methods[method].verified]
-    used = counted if counted is not None else tuple(m for m in firm if any(m in one.bands for one in grades))
+    used = (
+        counted
+        if counted is not None
+        else tuple(m for m in firm if any(m in wheel_grade.bands for wheel_grade in grades))
+    )
     differences, about = _between_wheels(inspection, grades, chosen, used)
     reasons = (*_axle_reasons(grades), *about)
-    verdicts = [*(one.verdict for one in grades), *(reason.verdict for reason in about if reason.verdict)]
+    verdicts = [
+        *(wheel_grade.verdict for wheel_grade in grades),
+        *(reason.verdict for reason in about if reason.verdict),
+    ]
     verdict = worst(verdicts)
     return GradedInspection(
         _with_grades(inspection, grades, differences, verdict, reasons),
@@ -361,18 +368,18 @@ def _with_grades(
     wheels = tuple(
         replace(
             wheel,
-            grade={method: band.label for method, band in one.bands.items()},
-            verdict=one.verdict,
-            reasons=sentences_of(one.reasons),
+            grade={method: band.label for method, band in wheel_grade.bands.items()},
+            verdict=wheel_grade.verdict,
+            reasons=sentences_of(wheel_grade.reasons),
             german={
-                "grade": {method: band.words("de") for method, band in one.bands.items()},
-                "reasons": sentences_of(one.reasons, "de"),
+                "grade": {method: band.words("de") for method, band in wheel_grade.bands.items()},
+                "reasons": sentences_of(wheel_grade.reasons, "de"),
             },
         )
-        for wheel, one in zip(inspection.wheels, grades, strict=True)
+        for wheel, wheel_grade in zip(inspection.wheels, grades, strict=True)
     )
-    found = {one.quantity: one.to_dict() for one in differences}
-    axle = {**inspection.axle, "differences": found, "verdict": verdict, "reasons": list(sentences_of(reasons))}
+    by_quantity = {difference.quantity: difference.to_dict() for difference in differences}
+    axle = {**inspection.axle, "differences": by_quantity, "verdict": verdict, "reasons": list(sentences_of(reasons))}
     axle["german"] = {"reasons": list(sentences_of(reasons, "de"))}
     return replace(inspection, wheels=wheels, axle=axle)
 
@@ -385,10 +392,10 @@ def sentences_of(reasons: Iterable[Reason], language: Language = "en") -> tuple[
 def _grade_wheel(
     wheel: WheelResult, inspection: Inspection, limits: Limits, deciding: tuple[str, ...] | None
 ) -> WheelGrade:
-    unfit = [one for one in (*wheel.findings, *inspection.findings) if one.severity == "problem"]
+    unfit = [item for item in (*wheel.findings, *inspection.findings) if item.severity == "problem"]
     if unfit:
-        found = {one.message: one for one in reversed(unfit)}
-        reasons_ = tuple(Reason("finding", NOT_GRADED, {"finding": one}) for one in reversed(found.values()))
+        by_message = {item.message: item for item in reversed(unfit)}
+        reasons_ = tuple(Reason("finding", NOT_GRADED, {"finding": item}) for item in reversed(by_message.values()))
         return WheelGrade(wheel.wheel, {}, NOT_GRADED, reasons_)
     bands: dict[str, VerdictBand] = {}
     reasons: dict[str, list[Reason]] = {}
@@ -398,7 +405,7 @@ def _grade_wheel(
             bands[method] = band
     firm = {method: band for method, band in bands.items() if limits.methods[method].verified}
     used = deciding if deciding is not None else tuple(firm)
-    conditions = [one for one in _conditions(wheel, limits, used) if bands]
+    conditions = [condition for condition in _conditions(wheel, limits, used) if bands]
     failed = () if any(m in firm for m in used) else tuple(m for m, band in firm.items() if band.verdict == "fail")
     if failed:
         conditions.append(Reason("counts", "fail", {"methods": failed}))
@@ -462,7 +469,7 @@ def near_edges(criterion: Criterion, value: float, half: float | None, method: s
 
 def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list[Reason]:
     """What does not hold of what the methods used need, or not for certain."""
-    found = []
+    reasons = []
     for condition in limits.conditions.values():
         value, needed = wheel.value(condition.quantity), [method for method in condition.methods if method in used]
         if value is None or not needed:
@@ -470,9 +477,9 @@ def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list
         band, half = condition.band_of(value), wheel.uncertainty.get(condition.quantity)
         if band is not None and band.verdict != "pass":
             values = {"criterion": condition, "value": value, "half": half, "band": band, "verdict": band.verdict}
-            found.append(Reason("condition", band.verdict, values))
-        found += near_edges(condition, value, half, needed[0])
-    return found
+            reasons.append(Reason("condition", band.verdict, values))
+        reasons += near_edges(condition, value, half, needed[0])
+    return reasons
 
 
 def _between_wheels(
@@ -489,14 +496,17 @@ def differences_of(
     first: WheelResult, second: WheelResult, places: tuple[str, str], place: str = ""
 ) -> list[Difference]:
     """Differences of all values that both wheels have; ``places`` are the names of the two."""
-    found = (difference_of(name, first, second, places, place) for name in QUANTITIES)
-    return [one for one in found if one is not None]
+    differences = (difference_of(name, first, second, places, place) for name in QUANTITIES)
+    return [difference for difference in differences if difference is not None]
 
 
 def _axle_reasons(grades: tuple[WheelGrade, ...]) -> list[Reason]:
-    tested = {one.wheel for one in grades}
+    tested = {wheel_grade.wheel for wheel_grade in grades}
     missing = [Reason("one_wheel", "", {"missing": side}) for side in _SIDES if side not in tested]
-    return missing + [Reason("wheel", one.verdict, {"wheel": one.wheel, "verdict": one.verdict}) for one in grades]
+    return missing + [
+        Reason("wheel", wheel_grade.verdict, {"wheel": wheel_grade.wheel, "verdict": wheel_grade.verdict})
+        for wheel_grade in grades
+    ]
 
 
 def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
@@ -517,18 +527,18 @@ def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
     RecordingError
         For two records of the same axle, records that do not say of which one, or different limits.
     """
-    ordered = sorted(axles, key=lambda one: one.axle)  # front, rear
+    ordered = sorted(axles, key=lambda axle: axle.axle)  # front, rear
     for first, second in combinations(ordered, 2):
         _check_pair(first, second)
-    reasons = [Reason("axle", one.verdict, {"axle": one.axle, "verdict": one.verdict}) for one in ordered]
+    reasons = [Reason("axle", axle.verdict, {"axle": axle.axle, "verdict": axle.verdict}) for axle in ordered]
     differences: list[Difference] = []
-    verdicts = [one.verdict for one in ordered]
+    verdicts = [axle.verdict for axle in ordered]
     if len(ordered) == 2:
         for side in _SIDES:
-            pair = [[wheel for wheel in one.wheels if wheel.wheel == side and wheel.is_gradable] for one in ordered]
+            pair = [[wheel for wheel in axle.wheels if wheel.wheel == side and wheel.is_gradable] for axle in ordered]
             if all(pair):
-                found = differences_of(pair[0][0], pair[1][0], ("front", "rear"), side)
-                graded, about = grade_differences(found, ordered[0].limits, ordered[0].deciding, "axles")
+                side_differences = differences_of(pair[0][0], pair[1][0], ("front", "rear"), side)
+                graded, about = grade_differences(side_differences, ordered[0].limits, ordered[0].deciding, "axles")
                 differences += graded
                 reasons += about
                 verdicts += _verdicts(about)

@@ -115,7 +115,9 @@ class Criterion(Description):
     def _without_gaps(self) -> Self:
         for i, band in enumerate(self.bands):
             if not band.start < band.end:
-                raise misplaced(("bands", i), f"empty: from {self._said(band.start)} to {self._said(band.end)}")
+                raise misplaced(
+                    ("bands", i), f"empty: from {self._limit_text(band.start)} to {self._limit_text(band.end)}"
+                )
         for i, (low, high) in enumerate(zip(self.bands[:-1], self.bands[1:], strict=True), 1):
             if math.isclose(low.end, high.start, rel_tol=1e-9):
                 continue
@@ -123,11 +125,11 @@ class Criterion(Description):
                 ("a gap", (low.end, high.start)) if low.end < high.start else ("an overlap", (high.start, low.end))
             )
             names = f"{low.label!r} and {high.label!r}"
-            text = f"{what} from {self._said(ends[0])} to {self._said(ends[1])}, between {names}; each band must begin"
-            raise misplaced(("bands", i), f"{text} where the one before it ends")
+            text = f"{what} from {self._limit_text(ends[0])} to {self._limit_text(ends[1])}, between {names}"
+            raise misplaced(("bands", i), f"{text}; each band must begin where the one before it ends")
         return self
 
-    def _said(self, value: float) -> str:
+    def _limit_text(self, value: float) -> str:
         return self.kind.limit_text(value) if math.isfinite(value) else "no limit"
 
     def band_of(self, value: float) -> VerdictBand | None:
@@ -170,14 +172,14 @@ class Criterion(Description):
 def _in_si(band: Any, i: int, unit: str) -> Any:
     if not isinstance(band, dict):
         return band
-    found = dict(band)
+    converted = dict(band)
     for key in ("from", "to"):
-        if key in found:
+        if key in converted:
             try:
-                found[key] = to_si(found[key], unit)
+                converted[key] = to_si(converted[key], unit)
             except DescriptionError as error:
                 raise misplaced_value(("bands", i, key), error) from None
-    return found
+    return converted
 
 
 class Condition(Criterion):
@@ -290,5 +292,5 @@ def load_limits(name: str | Path | None = None) -> Limits:
     ['bad', 'insufficient', 'insufficient', 'good', 'good']
     """
     path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
-    found, _ = read_description(Limits, path, SCHEMA)
-    return found if found.name else found.model_copy(update={"name": path.stem})
+    limits, _ = read_description(Limits, path, SCHEMA)
+    return limits if limits.name else limits.model_copy(update={"name": path.stem})

@@ -144,14 +144,14 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
 
 def _of_fit(test: WheelTest) -> MethodResult:
     """What the fitted quarter car says of every method's value: whether a damper acts, and whether it is one."""
-    found = MethodResult()
+    result = MethodResult()
     if test.fit is not None:
-        found.values["explained_force"] = test.fit.explained
+        result.values["explained_force"] = test.fit.explained
         half = NORMAL_95 * test.fit.spread(_of_body)
         if half < _VAGUE:
-            found.values["body_damping_ratio"] = _of_body(test.fit.corner)
-            found.half_widths["body_damping_ratio"] = half
-    return found
+            result.values["body_damping_ratio"] = _of_body(test.fit.corner)
+            result.half_widths["body_damping_ratio"] = half
+    return result
 
 
 def _of_body(corner: LinearQuarterCar) -> float:
@@ -160,16 +160,16 @@ def _of_body(corner: LinearQuarterCar) -> float:
 
 def _eusama(test: WheelTest) -> MethodResult:
     """Adhesion, where the force is least, and the relative force amplitude of EGEA, which is made of the same force."""
-    found, one = _of_fit(test), test.adhesion
-    if one is None:
-        return found
-    found.values |= {
-        "adhesion": one.adhesion,
-        "adhesion_frequency_hz": one.frequency_hz,
-        "relative_force_amplitude": one.relative_force_amplitude,
+    result, minimum = _of_fit(test), test.adhesion
+    if minimum is None:
+        return result
+    result.values |= {
+        "adhesion": minimum.adhesion,
+        "adhesion_frequency_hz": minimum.frequency_hz,
+        "relative_force_amplitude": minimum.relative_force_amplitude,
     }
-    found.half_widths |= {"adhesion": one.half_width, "relative_force_amplitude": one.half_width}
-    return found
+    result.half_widths |= {"adhesion": minimum.half_width, "relative_force_amplitude": minimum.half_width}
+    return result
 
 
 @dataclass(frozen=True)
@@ -217,10 +217,10 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     unknown = frequency[inside & (analysis.lifted | ~np.isfinite(measured)) & np.isfinite(frequency)]
     if unknown.size and analysis.fit is not None:
         curve = curve.with_turns(unknown, np.degrees(phase_angle(force_response(analysis.fit.corner, unknown))))
-    found, angles = curve.least(*band), curve.at(frequency, measured)
-    if found is None:
+    minimum, angles = curve.least(*band), curve.at(frequency, measured)
+    if minimum is None:
         return None, angles
-    at, angle, error = found
+    at, angle, error = minimum
     fit = analysis.fit
     if fit is not None:
         error = math.hypot(error, math.degrees(fit.spread_at(at, phase_angle)))
@@ -272,37 +272,37 @@ def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[F
 
 def _egea(test: WheelTest) -> MethodResult:
     """Least phase angle and tyre rigidity beside what the least force gives."""
-    found, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
-    tyre, found.findings = find_rigidity(test.signals, test.sweep, test.load)
+    result, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
+    tyre, result.findings = find_rigidity(test.signals, test.sweep, test.load)
     if tyre is not None:
-        found.values["tyre_rigidity"], found.half_widths["tyre_rigidity"] = tyre.rigidity, tyre.half_width
-        found.findings += rigidity_findings(tyre.rigidity, test.tester, f"{wheel}.tyre")
+        result.values["tyre_rigidity"], result.half_widths["tyre_rigidity"] = tyre.rigidity, tyre.half_width
+        result.findings += rigidity_findings(tyre.rigidity, test.tester, f"{wheel}.tyre")
     if test.signals.height is None or analysis is None:
-        found.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
-        return found
+        result.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
+        return result
     band = band_of(test.tester)
     if test.fit is not None and (delay := test.fit.delay) != 0.0:
         code = "force_late" if delay > 0.0 else "force_early"
-        found.findings.append(warning(f"{wheel}.plate.force", code, delay, milliseconds=1e3 * abs(delay)))
-        return found
-    minimum, found.phase_deg = find_phase_minimum(analysis, band)
+        result.findings.append(warning(f"{wheel}.plate.force", code, delay, milliseconds=1e3 * abs(delay)))
+        return result
+    minimum, result.phase_deg = find_phase_minimum(analysis, band)
     if minimum is None:
-        found.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
-        return found
-    found.values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
+        result.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
+        return result
+    result.values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
     if analysis.lifted.any():  # how the wheel swings on after it depends on chance, which noise and fit do not show
-        found.unreliable = ("phase_angle_min_deg", "phase_frequency_hz")
-        found.findings.append(warning(f"{wheel}.phase", "phase_after_lift_off"))
+        result.unreliable = ("phase_angle_min_deg", "phase_frequency_hz")
+        result.findings.append(warning(f"{wheel}.phase", "phase_after_lift_off"))
     else:
-        found.half_widths["phase_angle_min_deg"] = minimum.half_width_deg
+        result.half_widths["phase_angle_min_deg"] = minimum.half_width_deg
     if minimum.in_lift_off:
-        found.findings.append(warning(f"{wheel}.phase", "phase_in_lift_off"))
+        result.findings.append(warning(f"{wheel}.phase", "phase_in_lift_off"))
     if minimum.angle_deg < 0.0:
-        found.findings.append(warning(f"{wheel}.phase", "phase_below_zero", minimum.angle_deg))
+        result.findings.append(warning(f"{wheel}.phase", "phase_below_zero", minimum.angle_deg))
     if minimum.at_end:
         at = minimum.frequency_hz
-        found.findings.append(warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))
-    return found
+        result.findings.append(warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))
+    return result
 
 
 @dataclass(frozen=True)
@@ -380,9 +380,9 @@ def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester
     low, high = math.log(0.01 * critical), math.log(0.6 * critical)
     if not (gain > 0.0 and miss(low) > 0.0 > miss(high)):
         return None
-    found = replace(corner, damping_coefficient=math.exp(brentq(miss, low, high, xtol=1e-6)))
+    fitted = replace(corner, damping_coefficient=math.exp(brentq(miss, low, high, xtol=1e-6)))
     damping = tester.plate_damping_coefficient or 0.0
-    return wheel_damping(rig_poles(found, tester.plate_mass, float(tester.plate_spring_rate or 0.0), damping))[0]
+    return wheel_damping(rig_poles(fitted, tester.plate_mass, float(tester.plate_spring_rate or 0.0), damping))[0]
 
 
 def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | None:
@@ -401,61 +401,61 @@ def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | N
         return None
     floor = max(5e-3 * float(np.max(np.abs(away))), 4.0 * float(np.std(away[-max(round(0.1 * sample_rate), 3) :])))
     turns = turns[np.abs(away[turns]) > floor]
-    kept = _even_turns(turns, away)
-    if kept.size < _FEWEST_EXTREMES:
+    even = _even_turns(turns, away)
+    if even.size < _FEWEST_EXTREMES:
         return None
-    slope_of_log = float(np.polyfit(np.arange(kept.size), np.log(np.abs(away[kept])), 1)[0])
+    slope_of_log = float(np.polyfit(np.arange(even.size), np.log(np.abs(away[even])), 1)[0])
     ratio = -slope_of_log / math.hypot(math.pi, slope_of_log)
-    half_turn = float(kept[-1] - kept[0]) / (kept.size - 1) / sample_rate
+    half_turn = float(even[-1] - even[0]) / (even.size - 1) / sample_rate
     return (ratio, 0.5 / half_turn) if ratio > 0.0 else None
 
 
 def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
     """Turning points of the decay: from the last one back, on alternating sides, growing, at even distances."""
-    kept = [int(turns[-1])] if turns.size else []
+    even = [int(turns[-1])] if turns.size else []
     for at in turns[-2::-1]:
-        now, then = away[kept[-1]], away[at]
+        now, then = away[even[-1]], away[at]
         if now * then > 0.0 or abs(then) <= abs(now):
             break
-        if len(kept) > 1 and abs((kept[-1] - at) / (kept[-2] - kept[-1]) - 1.0) > _EVEN:
+        if len(even) > 1 and abs((even[-1] - at) / (even[-2] - even[-1]) - 1.0) > _EVEN:
             break
-        if len(kept) > 1 and abs(math.log(-then / now) / math.log(-now / away[kept[-2]]) - 1.0) > 3.0 * _EVEN:
+        if len(even) > 1 and abs(math.log(-then / now) / math.log(-now / away[even[-2]]) - 1.0) > 3.0 * _EVEN:
             break
-        kept.append(int(at))
-    return np.array(kept[::-1], dtype=np.intp)
+        even.append(int(at))
+    return np.array(even[::-1], dtype=np.intp)
 
 
 def _theta(test: WheelTest) -> MethodResult:
     """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
-    found, wheel = _of_fit(test), test.signals.wheel
+    result, wheel = _of_fit(test), test.signals.wheel
     if test.fit is not None:
         theta = theta_by_fit(test.fit, test.tester)
-        found.values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
-        found.half_widths |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        result.values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
+        result.half_widths |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
         if theta.road <= theta.road_half_width:
-            found.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
+            result.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
-            found.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
+            result.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
         if test.analysis is None and (delay := test.fit.delay) != 0.0:
             words = {"milliseconds": 1e3 * abs(delay)}
-            found.findings.append(warning(f"{wheel}.plate.force", "channels_apart", delay, **words))
+            result.findings.append(warning(f"{wheel}.plate.force", "channels_apart", delay, **words))
     height, strokes, tester = test.signals.height, test.strokes, test.tester
     if test.analysis is not None or tester is None or height is None or strokes is None:
-        return found
+        return result
     frequency = test.sweep.turns.frequency
     above = frequency > _LOWEST_RESONANCE
     gain = float(strokes[above].max(initial=0.0)) / tester.stroke
     decay = theta_by_decay(height, test.signals.sample_rate)
-    found.values["theta_methods"] = {
-        "fit": found.values.get("theta_rig"),
+    result.values["theta_methods"] = {
+        "fit": result.values.get("theta_rig"),
         "half_power": half_power(frequency[above], strokes[above]),
         "amplification": theta_by_amplification(gain, test.fit.corner, tester) if test.fit is not None else None,
         "free_decay": decay[0] if decay is not None else None,
     }
     guessed = [name.replace("_", " ") for name in tester.estimated if name.startswith("plate_")]
     if guessed:
-        found.findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
-    return found
+        result.findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
+    return result
 
 
 @dataclass(frozen=True)
@@ -493,10 +493,10 @@ def find_boge(test: WheelTest) -> BogeAmplitude | None:
 
 
 def _boge(test: WheelTest) -> MethodResult:
-    one = find_boge(test)
-    if one is None:
+    boge = find_boge(test)
+    if boge is None:
         return MethodResult()
-    return MethodResult({"boge_amplitude": one.amplitude}, {"boge_amplitude": one.half_width})
+    return MethodResult({"boge_amplitude": boge.amplitude}, {"boge_amplitude": boge.half_width})
 
 
 _RIGID, _SPRUNG = "rigid-plate", "sprung-plate"

@@ -88,28 +88,29 @@ class WheelQuantity:
             return "–"
         decimals = self.decimals
         while decimals < _MOST_DECIMALS and any(
-            value != limit and self._written(value, decimals) == self._written(limit, decimals) for limit in apart_from
+            value != limit and self._write_number(value, decimals) == self._write_number(limit, decimals)
+            for limit in apart_from
         ):
             decimals += 1
-        text = with_decimal_sign(self._written(value, decimals).replace("-", "−"), language)
-        return self._joined(text) if with_unit else text
+        text = with_decimal_sign(self._write_number(value, decimals).replace("-", "−"), language)
+        return self._with_unit(text) if with_unit else text
 
     def rounded_up(self, half: float, language: Language = "en", *, with_unit: bool = True) -> str:
         """Write a half width of an interval (``si``), rounded up: never narrower than it is."""
         step = 10.0**-self.decimals
         shown = math.ceil(half * self.factor / step - 1e-9) * step
         text = with_decimal_sign(f"{shown:.{self.decimals}f}", language)
-        return self._joined(text) if with_unit else text
+        return self._with_unit(text) if with_unit else text
 
     def limit_text(self, value: float, language: Language = "en") -> str:
         """Write a limit (``si``) without padding zeros: ``40 %``, ``0.13``."""
         text = f"{value * self.factor:.6g}".replace("-", "−")
-        return self._joined(with_decimal_sign(text, language))
+        return self._with_unit(with_decimal_sign(text, language))
 
-    def _joined(self, text: str) -> str:
+    def _with_unit(self, text: str) -> str:
         return f"{text}{self.unit}" if self.unit == "°" else f"{text} {self.unit}".strip()
 
-    def _written(self, value: float, decimals: int) -> str:
+    def _write_number(self, value: float, decimals: int) -> str:
         text = f"{value * self.factor:.{decimals}f}"
         return text.lstrip("-") if float(text) == 0.0 else text
 

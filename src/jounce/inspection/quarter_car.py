@@ -259,9 +259,9 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
     spectra = rfft(signals[:, :-1], axis=1)
     first = max(1, math.ceil(low * count / sample_rate))
     last = min(spectra.shape[1] - 1, math.floor(high * count / sample_rate))
-    kept = slice(first, last + 1)
+    lines = slice(first, last + 1)
     s = 2j * np.pi * np.arange(first, last + 1) * (sample_rate / count)
-    return Stretch(s, spectra[0, kept], spectra[1, kept], count)
+    return Stretch(s, spectra[0, lines], spectra[1, lines], count)
 
 
 def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
@@ -272,15 +272,17 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
     (50 +- 60) N s/m; both count only as far as the noise leaves them open. Raises FitError where there is too little
     signal, or no quarter car resembles it.
     """
-    bins = sum(one.s.size for one in stretches)
+    bins = sum(stretch.s.size for stretch in stretches)
     if bins < _FEWEST_BINS:
         raise FitError("too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines")
     mass = static_load / GRAVITY
-    scale = 1.0 / math.sqrt(sum(one.samples for one in stretches) / len(stretches))
-    parts = [Stretch(one.s, one.height * scale, one.force * scale, one.samples) for one in stretches]
-    fit = _fitted(parts, _start(parts, mass), mass)
+    scale = 1.0 / math.sqrt(sum(stretch.samples for stretch in stretches) / len(stretches))
+    parts = [
+        Stretch(stretch.s, stretch.height * scale, stretch.force * scale, stretch.samples) for stretch in stretches
+    ]
+    fit = _fit_from(parts, _start(parts, mass), mass)
     if _merit(fit) < POOR:
-        fit = max([fit, *(_fitted(parts, start, mass) for start in _more_starts(parts, mass))], key=_merit)
+        fit = max([fit, *(_fit_from(parts, start, mass) for start in _more_starts(parts, mass))], key=_merit)
     return fit
 
 
@@ -289,7 +291,7 @@ def _merit(fit: ResponseFit) -> float:
     return fit.explained if TYRES[0] < fit.corner.tyre_stiffness < TYRES[1] else fit.explained - 1.0
 
 
-def _fitted(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
+def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
     """Fit the parameters from a start on; the masses together (kg) carry the static load at first."""
     cost, normal, right = _system(parts, here)
     damping = 1e-3
@@ -307,17 +309,17 @@ def _fitted(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
             damping = max(10.0 * damping, 1e-6)
             if damping > 1e8:
                 break
-    return _released(parts, here, mass)
+    return _release_masses(parts, here, mass)
 
 
-def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
+def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
     """Let the masses differ from the static load, and weigh what is known beforehand against the noise."""
-    freedom = max(2 * sum(one.s.size for one in parts) - _FREE - TRANSIENT * len(parts), 1)
+    freedom = max(2 * sum(stretch.s.size for stretch in parts) - _FREE - TRANSIENT * len(parts), 1)
     cost, normal, right = _system(parts, here)
     damping = 1e-9
     for _ in range(_MORE_STEPS):
         variance = cost / freedom
-        known, pull = _expected(here, mass, variance)
+        known, pull = _prior_equations(here, mass, variance)
         tried = _within(here + _solve(normal + known, right + pull, damping), here, mass)
         new = _system(parts, tried)
         if new[0] + _surprise(tried, mass, variance) > cost + _surprise(here, mass, variance):
@@ -328,11 +330,11 @@ def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit
         damping *= 0.1
         if moved < _SMALLEST_STEP:
             break
-    known, _ = _expected(here, mass, cost / freedom)
+    known, _ = _prior_equations(here, mass, cost / freedom)
     size = np.sqrt(np.diag(normal + known))
     size = np.where(size > 0.0, size, 1.0)
     covariance = np.linalg.pinv((normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True)
-    power = sum(float(np.sum(np.abs(one.force) ** 2)) for one in parts)
+    power = sum(float(np.sum(np.abs(stretch.force) ** 2)) for stretch in parts)
     return ResponseFit(
         corner=_corner(here),
         covariance=covariance / np.outer(size, size) * (cost / freedom),
@@ -341,7 +343,7 @@ def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit
     )
 
 
-def _expected(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
+def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
     """Normal matrix and right side of what is known beforehand: tyre damping, and the sum of the masses (kg)."""
     of_mass = variance / (_MASS_SPREAD * mass) ** 2
     known = of_mass * np.outer(_SUM, _SUM)
@@ -372,13 +374,13 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
     here = _parameters(fit.corner)
     steps = np.maximum(np.abs(here), _SCALE) * _DELAY_STEP
     left, slopes, by_delay = [], [], []
-    for one in stretches:
-        scale = 1.0 / math.sqrt(one.samples)
-        height, force = one.height * scale, one.force * scale
-        speed = one.s.imag
+    for stretch in stretches:
+        scale = 1.0 / math.sqrt(stretch.samples)
+        height, force = stretch.height * scale, stretch.force * scale
+        speed = stretch.s.imag
         gap = normal_equations(here, speed, height, force)[3]
         near = [normal_equations(place, speed, height, force)[3] for place in here + np.diag(steps)]
-        earlier = force + _PER_MILLISECOND * one.s * (force + plate_mass * one.s**2 * height)
+        earlier = force + _PER_MILLISECOND * stretch.s * (force + plate_mass * stretch.s**2 * height)
         left.append(gap)
         slopes.append(np.stack([(other - gap) / step for other, step in zip(near, steps, strict=True)], axis=1))
         by_delay.append((normal_equations(here, speed, height, earlier)[3] - gap) / _PER_MILLISECOND)
@@ -386,7 +388,7 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
     rows = np.concatenate(slopes)
     held = np.concatenate([rows.real, rows.imag])
     held /= np.linalg.norm(held, axis=0)
-    rest, of_delay = (one - held @ np.linalg.lstsq(held, one, rcond=1e-12)[0] for one in (rest, of_delay))
+    rest, of_delay = (part - held @ np.linalg.lstsq(held, part, rcond=1e-12)[0] for part in (rest, of_delay))
     power = float(of_delay @ of_delay)
     delay = -float(of_delay @ rest) / power
     after = rest + delay * of_delay
@@ -431,9 +433,11 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
         grid.append((unsprung, sprung * 65.0, damping, tyre * factor, 0.0, sprung))
     candidates = np.array(grid)
     misfit = np.zeros(len(grid))
-    for one in parts:
-        few = slice(None, None, max(one.s.size // _START_LINES, 1))
-        misfit += np.sum(np.abs(one.force[few] - responses(candidates, one.s[few]) * one.height[few]) ** 2, axis=1)
+    for stretch in parts:
+        few = slice(None, None, max(stretch.s.size // _START_LINES, 1))
+        misfit += np.sum(
+            np.abs(stretch.force[few] - responses(candidates, stretch.s[few]) * stretch.height[few]) ** 2, axis=1
+        )
     return np.asarray(candidates[int(np.argmin(misfit))])
 
 
@@ -444,24 +448,24 @@ def _more_starts(parts: Sequence[Stretch], mass: float) -> list[Array]:
         unsprung, sprung = share * mass, (1.0 - share) * mass
         damping = ratio * 2.0 * math.sqrt(tyre * unsprung)
         grid.append(np.array([unsprung, sprung * rate, damping, tyre, 0.0, sprung]))
-    costs = [_system(parts, one)[0] for one in grid]
+    costs = [_system(parts, start)[0] for start in grid]
     return [grid[i] for i in np.argsort(costs, kind="stable")[:_TRIED]]
 
 
 def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
     """Tyre stiffness (N/m) from the highest frequencies, where the wheel hardly follows."""
-    one = max(parts, key=lambda part: float(part.s[-1].imag))
-    top = one.s.imag > 0.85 * one.s[-1].imag
-    drive = float(np.sum(np.abs(one.height[top]) ** 2))
-    gain = abs(complex(np.sum(one.force[top] * np.conj(one.height[top])))) / drive if drive > 0.0 else 2e5
+    highest = max(parts, key=lambda part: float(part.s[-1].imag))
+    top = highest.s.imag > 0.85 * highest.s[-1].imag
+    drive = float(np.sum(np.abs(highest.height[top]) ** 2))
+    gain = abs(complex(np.sum(highest.force[top] * np.conj(highest.height[top])))) / drive if drive > 0.0 else 2e5
     return min(max(0.8 * gain, 6e4), 8e5)
 
 
 def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, Array]:
     """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
     cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
-    for one in parts:
-        squares, of_part, pull, _ = normal_equations(parameters, one.s.imag, one.height, one.force)
+    for stretch in parts:
+        squares, of_part, pull, _ = normal_equations(parameters, stretch.s.imag, stretch.height, stretch.force)
         cost += squares
         normal += of_part
         right += pull

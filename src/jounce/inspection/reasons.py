@@ -183,18 +183,18 @@ def _grades(value: Any, language: Language) -> str:
 
 def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: Language) -> dict[str, str]:
     kind = criterion.kind
-    found = {"quantity": QUANTITIES[criterion.quantity].words(language)}
+    words = {"quantity": QUANTITIES[criterion.quantity].words(language)}
     for name in ("low", "high"):
         if name in values:
-            found[name] = kind.text(values[name], language, apart_from=[values["limit"]])
+            words[name] = kind.text(values[name], language, apart_from=[values["limit"]])
     if "limit" in values:
-        found["limit"] = kind.limit_text(values["limit"], language)
+        words["limit"] = kind.limit_text(values["limit"], language)
     if "value" in values:
-        found["value"] = with_uncertainty(criterion, values["value"], values.get("half"), language)
+        words["value"] = with_uncertainty(criterion, values["value"], values.get("half"), language)
     band = values.get("band")
     if isinstance(band, VerdictBand):
-        found |= {"label": band.words(language), "range": range_words(criterion, band, language)}
-    return found
+        words |= {"label": band.words(language), "range": range_words(criterion, band, language)}
+    return words
 
 
 def with_uncertainty(criterion: Criterion, value: float, half: float | None, language: Language = "en") -> str:
@@ -209,7 +209,7 @@ def range_words(criterion: Criterion, band: VerdictBand, language: Language = "e
     kind, place = criterion.kind, 0 if language == "en" else 1
     parts = []
     if band.start > float("-inf"):
-        before = next((one for one in criterion.bands if one.end_included and one.end == band.start), None)
+        before = next((lower for lower in criterion.bands if lower.end_included and lower.end == band.start), None)
         first = ("above", "über") if before is not None else ("from", "ab")
         parts.append(f"{first[place]} {kind.limit_text(band.start, language)}")
     if band.end < float("inf"):

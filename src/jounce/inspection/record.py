@@ -84,22 +84,22 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     from jounce.recordings.files import read_recording
 
     file = existing_file(path, RecordingError)
-    told: dict[str, Any] = {}
+    options: dict[str, Any] = {}
     if tester is not None:
-        told = {"columns": dict(tester.columns) or None, "variable": tester.variable}
-        told |= {"sample_time": tester.sample_time, "resample": tester.resample}
+        options = {"columns": dict(tester.columns) or None, "variable": tester.variable}
+        options |= {"sample_time": tester.sample_time, "resample": tester.resample}
     header, findings = _header(file)
     try:
-        dataset, found = read_recording(file, **told)
+        dataset, reader_findings = read_recording(file, **options)
     except DescriptionError as error:
         raise _unit_error(error) from None
     except RecordingError as error:
         raise _column_error(error) from None
-    _check_units(found, file)
-    facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
+    _check_units(reader_findings, file)
+    facts, header_findings = read_facts({**dict(dataset.attrs), **header}, where=str(file))
     dataset.attrs = facts
     wheels_of(dataset, where=str(file))
-    return dataset, [*findings, *found, *said]
+    return dataset, [*findings, *reader_findings, *header_findings]
 
 
 def _check_units(findings: Iterable[Finding], file: Path) -> None:
@@ -151,26 +151,26 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
     Gives the facts, and a warning for each key that is not known; it is kept. Raises DescriptionError for a value with
     a wrong unit or out of range; ``where`` is the place named in errors.
     """
-    found: dict[str, Any] = {}
+    checked: dict[str, Any] = {}
     findings: list[Finding] = []
     known = [*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)]
     for key, value in facts.items():
         side, _, name = key.partition(".")
         if side in SIDES and name in NUMBERS:
-            found[key] = _number(value, NUMBERS[name], f"{where}: {key}")
+            checked[key] = _number(value, NUMBERS[name], f"{where}: {key}")
         elif key == "wheel_order":
-            found[key] = _order(value, where)
+            checked[key] = _order(value, where)
         elif key == "axle":
-            found[key] = _axle(value, where)
+            checked[key] = _axle(value, where)
         else:
-            found[key] = _text(value, f"{where}: {key}") if key in TEXTS else str(value)
-            if key == "date" and found[key] and not _is_day(found[key]):
-                findings.append(remark(where, "warning", "not_a_date", date=found[key]))
+            checked[key] = _text(value, f"{where}: {key}") if key in TEXTS else str(value)
+            if key == "date" and checked[key] and not _is_day(checked[key]):
+                findings.append(remark(where, "warning", "not_a_date", date=checked[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 near = nearest_name(key, known)
                 code = "unknown_key_near" if near else "unknown_key"
                 findings.append(remark(where, "warning" if near else "note", code, key=key, near=near))
-    return found, findings
+    return checked, findings
 
 
 def _text(value: object, where: str) -> str:

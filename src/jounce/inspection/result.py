@@ -128,8 +128,8 @@ class WheelResult(Plain):
 
     def value(self, key: str) -> float | None:
         """Give a value by its key in results, SI or as the key says; None where it is not known."""
-        found: float | None = getattr(self, key) if key in FIELDS else self.more.get(key)
-        return found
+        value: float | None = getattr(self, key) if key in FIELDS else self.more.get(key)
+        return value
 
     @property
     def body_damping_ratio(self) -> float | None:

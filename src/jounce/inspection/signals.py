@@ -181,12 +181,12 @@ def moving_part(values: Array, sample_rate: float, least: float, other: Array | 
     stroke = _strokes(values, size)
     moving = stroke > least
     if other is not None and bool(np.any(moving & (_strokes(other, size) > least))):
-        found = _greatest_part(_bends(values, size) - _OF_OTHER * _bends(other, size) - _IDLE * least)
+        blocks = _greatest_part(_bends(values, size) - _OF_OTHER * _bends(other, size) - _IDLE * least)
     else:
-        found = np.flatnonzero(moving)
-    if found.size == 0:
+        blocks = np.flatnonzero(moving)
+    if blocks.size == 0:
         return None
-    return int(found[0] * size), int(min((found[-1] + 1) * size, values.size))
+    return int(blocks[0] * size), int(min((blocks[-1] + 1) * size, values.size))
 
 
 def mean_shaking(values: Array, sample_rate: float) -> float:
@@ -273,7 +273,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     >>> round(found.plate_mass, 1), found.is_passed
     (18.0, True)
     """
-    side = wheel or next((one for one in SIDES if f"{one}.{FORCE}" in record.data_vars), "left")
+    side = wheel or next((name for name in SIDES if f"{name}.{FORCE}" in record.data_vars), "left")
     height, force = (_channel(record, f"{side}.{name}") for name in (HEIGHT, FORCE))
     if height is None or force is None:
         raise RecordingError(

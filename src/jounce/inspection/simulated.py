@@ -80,9 +80,9 @@ def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
     DescriptionError, SimulationError
         For a vehicle without tyres, or another rig that no tester takes.
     """
-    found: Rig = axle_of(rig, axle) if isinstance(rig, Vehicle) else rig
-    check_rig(found)
-    return found
+    standing: Rig = axle_of(rig, axle) if isinstance(rig, Vehicle) else rig
+    check_rig(standing)
+    return standing
 
 
 def simulate_inspection(
@@ -145,14 +145,14 @@ def simulate_inspection(
     record = None
     if steady:
         methods = methods_on(tester.kind) if tester.kind == "rigid-plate" else (deciding,)
-        found = Inspection((_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods)
+        inspection = Inspection((_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods)
     else:
         about = {"axle": axle, "vehicle": vehicle}
         record = simulate_test(stood, tester, wheel=wheel, noise=noise, seed=seed, about=about)
-        found = evaluate(_of_wheel(record, wheel), tester)
-        found = replace(found, wheels=tuple(one for one in found.wheels if one.wheel == wheel))
-        found = _with_findings(found, stood, tester)
-    graded = grade(found, deciding=[deciding])
+        inspection = evaluate(_of_wheel(record, wheel), tester)
+        inspection = replace(inspection, wheels=tuple(item for item in inspection.wheels if item.wheel == wheel))
+        inspection = _with_findings(inspection, stood, tester)
+    graded = grade(inspection, deciding=[deciding])
     return SimulatedInspection(graded.wheels[0], record, road, on_rig)
 
 
@@ -218,10 +218,10 @@ def simulate_axle(
 
 def _deciding(method: str | None, tester: Tester) -> str:
     """The method whose grade decides."""
-    found = method or tester.method
-    if found not in METHODS:
-        raise unknown(found, METHODS, what="method", where="method")
-    return found
+    chosen = method or tester.method
+    if chosen not in METHODS:
+        raise unknown(chosen, METHODS, what="method", where="method")
+    return chosen
 
 
 def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
@@ -229,12 +229,12 @@ def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
     return record[[name for name in record.data_vars if str(name).startswith(f"{wheel}.")]]
 
 
-def _with_findings(found: Inspection, rig: Rig, tester: Tester) -> Inspection:
+def _with_findings(inspection: Inspection, rig: Rig, tester: Tester) -> Inspection:
     """Add what the description says already, where the record's evaluation does not."""
-    wheel = found.wheels[0]
-    known = {one.place.rpartition(".")[2] for one in wheel.findings}
-    new = [one for one in findings_of_test(rig, tester) if one.place.rpartition(".")[2] not in known]
-    return replace(found, wheels=(replace(wheel, findings=(*wheel.findings, *new)),))
+    wheel = inspection.wheels[0]
+    known = {item.place.rpartition(".")[2] for item in wheel.findings}
+    new = [item for item in findings_of_test(rig, tester) if item.place.rpartition(".")[2] not in known]
+    return replace(inspection, wheels=(replace(wheel, findings=(*wheel.findings, *new)),))
 
 
 def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_rig: float | None) -> WheelResult:
@@ -242,7 +242,7 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
     load = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
     values: dict[str, Any] = {"theta_road": road, "theta_rig": on_rig}
     if tester.kind == "rigid-plate":
-        steady = _closed(rig, tester, wheel) if _is_linear(rig) else None
+        steady = _closed_form_values(rig, tester, wheel) if _is_linear(rig) else None
         if steady is None:
             steady, said = _swept(rig, tester, wheel)
             findings += said
@@ -265,7 +265,7 @@ def _is_linear(rig: Rig) -> bool:
     return laws and strut.friction is None and strut.bump_stop is None and rig.guide.friction is None
 
 
-def _closed(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
+def _closed_form_values(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
     """Values in closed form; None where the wheel lifts off."""
     adhesion, at = closed_form_adhesion(rig, tester, wheel=wheel)
     if adhesion <= 0.0:

@@ -137,7 +137,7 @@ def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
     frequency, top = sweep.turns.frequency, sweep.highest
     middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
     low = min(_BELOW_RESONANCE, 0.4 * top)
-    falls, rises = (_falls(_lasting(one, 0.75 * top, low), 0.75 * top, low) for one in (middle, middle[::-1]))
+    falls, rises = (_falls(_lasting(series, 0.75 * top, low), 0.75 * top, low) for series in (middle, middle[::-1]))
     if falls > 1:
         return [problem(place, "several_sweeps", float(falls), count=falls)]
     lowest = float(middle.min())
@@ -274,17 +274,17 @@ def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
     True
     """
     whole = np.flatnonzero(_whole_turns(frequency, time))
-    found = np.zeros(frequency.size, dtype=bool)
+    is_swept = np.zeros(frequency.size, dtype=bool)
     if whole.size < _FEWEST_TURNS:
-        return found
+        return is_swept
     first, second = np.array_split(frequency[whole], 2)
     ordered = whole if float(np.mean(first)) >= float(np.mean(second)) else whole[::-1]
     usual = _medians(frequency[ordered])
-    kept = ordered[np.abs(frequency[ordered] / usual - 1.0) < _BESIDE]
-    kept = kept[int(np.argmax(frequency[kept])) :]
-    slowest = np.minimum.accumulate(frequency[kept])
-    found[kept[frequency[kept] <= _BACK * slowest]] = True
-    return found
+    near = ordered[np.abs(frequency[ordered] / usual - 1.0) < _BESIDE]
+    near = near[int(np.argmax(frequency[near])) :]
+    slowest = np.minimum.accumulate(frequency[near])
+    is_swept[near[frequency[near] <= _BACK * slowest]] = True
+    return is_swept
 
 
 def _whole_turns(frequency: Array, time: Array) -> NDArray[np.bool_]:

@@ -86,12 +86,12 @@ def force_in_periods(
     """
     taps, half = prototype()
     block, places, at = (np.ascontiguousarray(values, dtype=np.float64) for values in (signals, tops, frequencies))
-    found = np.full((len(block), len(places), len(FIELDS)), np.nan)
+    forces = np.full((len(block), len(places), len(FIELDS)), np.nan)
     longest = rate / at.min()
     smooth, room = np.empty(int(longest * (window[1] - window[0] + 1.2)) + 8), int(half * longest) + 2
     weight, wave, bell = np.empty(2 * room), np.empty(room), np.empty(room)
-    _find(block, rate, start, places, at, level, taps, half, *window, smooth, weight, wave, bell, found)
-    return found
+    _find(block, rate, start, places, at, level, taps, half, *window, smooth, weight, wave, bell, forces)
+    return forces
 
 
 _SIZES = np.array([0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0])
@@ -156,7 +156,7 @@ def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: 
     """
     known = np.isfinite(measured) & np.isfinite(modelled) & (spread > 0.0)
     order = np.argsort(frequency[known], kind="stable")
-    f, y, base, wide = _merged(*(values[known][order] for values in (frequency, measured, modelled, spread)))
+    f, y, base, wide = _merge_turns(*(values[known][order] for values in (frequency, measured, modelled, spread)))
     if f.size < _FEWEST:
         return FrequencyCurve(f, y, np.full(f.size, np.nan))
     gap = y - base
@@ -167,7 +167,7 @@ def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: 
     return FrequencyCurve(f, base + added, error)
 
 
-def _merged(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, Array, Array, Array]:
+def _merge_turns(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, Array, Array, Array]:
     """Means of turns at nearly the same frequency."""
     starts = np.flatnonzero(np.diff(np.floor(f / _SAME), prepend=-1.0))
     if starts.size == f.size:
@@ -272,10 +272,10 @@ def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis,
         end = min(round((float(sweep.turns.crossing[-1]) + 0.3 - start) * rate), signals.force.size)
         fit, findings = fit_test(signals, stretches_between(lifted, first, end, rate), load, sweep.highest, model)
     turns = sweep.turns
-    kept = slice(sweep.hold.start, sweep.last + 1)
-    used = (turns.frequency[kept] >= LOWEST_TURN) & (turns.top[kept] >= sweep.begin - 1e-9)
-    top, frequency = turns.top[kept][used], turns.frequency[kept][used]
-    following = np.append(np.diff(turns.top), np.nan)[kept][used]
+    span = slice(sweep.hold.start, sweep.last + 1)
+    used = (turns.frequency[span] >= LOWEST_TURN) & (turns.top[span] >= sweep.begin - 1e-9)
+    top, frequency = turns.top[span][used], turns.frequency[span][used]
+    following = np.append(np.diff(turns.top), np.nan)[span][used]
     window = _WINDOW if signals.height is not None else _WHOLE_TURN
     rows = np.stack([signals.force, np.where(np.isfinite(model), model, load)])
     both = force_in_periods(rows, rate, start, top, frequency, load, window)
@@ -329,13 +329,13 @@ def fit_test(
     fit = replace(fit, delay=delay_of(fit, stretches, signals.plate_mass))
     from scipy.fft import irfft
 
-    predicted = [predicted_force(fit, one) for one in stretches]
-    for (a, _), one, force in zip(parts, stretches, predicted, strict=True):
-        spectrum = np.zeros(one.samples // 2 + 1, dtype=complex)
-        lowest = round(one.s[0].imag / (2.0 * np.pi) * one.samples / signals.sample_rate)
-        spectrum[lowest : lowest + one.s.size] = force
-        model[a : a + one.samples] = irfft(spectrum, n=one.samples) + load
-    left = [one.force - force for one, force in zip(stretches, predicted, strict=True)]
+    predicted = [predicted_force(fit, stretch) for stretch in stretches]
+    for (a, _), stretch, force in zip(parts, stretches, predicted, strict=True):
+        spectrum = np.zeros(stretch.samples // 2 + 1, dtype=complex)
+        lowest = round(stretch.s[0].imag / (2.0 * np.pi) * stretch.samples / signals.sample_rate)
+        spectrum[lowest : lowest + stretch.s.size] = force
+        model[a : a + stretch.samples] = irfft(spectrum, n=stretch.samples) + load
+    left = [stretch.force - force for stretch, force in zip(stretches, predicted, strict=True)]
     return fit, _doubts(fit, stretches, left, signals, load)
 
 
@@ -355,12 +355,12 @@ def _doubts(
     findings = []
     if fit.explained < POOR:
         findings.append(warning(place, "poor_fit", fit.explained, percent=100.0 * fit.explained))
-    for one, unexplained in zip(stretches, left, strict=True):
-        size = 2.0 / one.samples * np.abs(unexplained)
+    for stretch, unexplained in zip(stretches, left, strict=True):
+        size = 2.0 / stretch.samples * np.abs(unexplained)
         at = int(np.argmax(size))
         # Of noise, whose lines are spread like Rayleigh's, next to none is six times the median, let alone twelve.
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
-            frequency = float(one.s[at].imag / (2.0 * np.pi))
+            frequency = float(stretch.s[at].imag / (2.0 * np.pi))
             code = "swings_on" if _is_own(frequency, fit.corner) else "vibrates"
             findings.append(warning(place, code, frequency, frequency=frequency, force=float(size[at])))
     return findings

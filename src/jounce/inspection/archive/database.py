@@ -192,9 +192,9 @@ def problems_of(connection: Connection) -> list[str]:
     """Check everything in a SQLite file, page by page; other databases check themselves."""
     if connection.dialect.name != "sqlite":
         return []
-    found = [str(row) for row in connection.exec_driver_sql("PRAGMA integrity_check(20)").scalars()]
-    found += [f"{row[0]}: a row points to nothing" for row in connection.exec_driver_sql("PRAGMA foreign_key_check")]
-    return [text for text in found if text != _WHOLE]
+    problems = [str(row) for row in connection.exec_driver_sql("PRAGMA integrity_check(20)").scalars()]
+    problems += [f"{row[0]}: a row points to nothing" for row in connection.exec_driver_sql("PRAGMA foreign_key_check")]
+    return [text for text in problems if text != _WHOLE]
 
 
 @contextmanager
@@ -205,8 +205,8 @@ def reported_errors(location: str) -> Iterator[None]:
     except (JounceError, IntegrityError):
         raise
     except (DBAPIError, sqlite3.Error) as error:
-        told = error.orig if isinstance(error, DBAPIError) else error
-        reason = (str(told).strip() or type(told).__name__).splitlines()[0]
+        cause = error.orig if isinstance(error, DBAPIError) else error
+        reason = (str(cause).strip() or type(cause).__name__).splitlines()[0]
         if any(word in reason for word in _DAMAGES):
             raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
         hint = "Check the rights and the space."
@@ -257,8 +257,8 @@ def _make_tables(connection: Connection, location: str) -> None:
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
     if there and there != NAMES:
-        found = ", ".join(sorted(there))
-        raise RecordingError("a database of another kind", where=location, found=found, allowed="a record store")
+        names = ", ".join(sorted(there))
+        raise RecordingError("a database of another kind", where=location, found=names, allowed="a record store")
     create_tables(connection)
 
 
@@ -371,12 +371,12 @@ def _check_tables(connection: Connection, location: str) -> None:
     is_file = connection.dialect.name == "sqlite"
     names = set(inspect(connection).get_table_names())
     if not names >= NAMES or (is_file and names - NAMES):
-        found = ", ".join(sorted(names)[:8]) or "no table"
-        raise RecordingError("a database of another kind", where=location, found=found, allowed="a record store")
+        tables = ", ".join(sorted(names)[:8]) or "no table"
+        raise RecordingError("a database of another kind", where=location, found=tables, allowed="a record store")
     for name in SMALL if is_file else ():
-        found = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
-        if found != _WHOLE:
-            raise DamagedStoreError(f"the store is damaged: {found.strip()}", where=location, hint=_LEFT_ALONE)
+        report = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
+        if report != _WHOLE:
+            raise DamagedStoreError(f"the store is damaged: {report.strip()}", where=location, hint=_LEFT_ALONE)
     version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
     if version != SCHEMA_VERSION:
         raise RecordingError(

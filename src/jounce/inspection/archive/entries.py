@@ -125,7 +125,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
     channels, blocks = [], []
     for name in ("time", *map(str, record.data_vars)):
         variable = record[name]
-        coding, block = _packed(np.asarray(variable.values, dtype=float))
+        coding, block = _pack_values(np.asarray(variable.values, dtype=float))
         channels.append(
             {"name": name, "units": variable.attrs["units"], "long_name": variable.attrs["long_name"], **coding}
         )
@@ -154,14 +154,14 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
     for channel in head["channels"]:
         width = 8 if channel["decimals"] is None else 4
         kind = "<f8" if width == 8 else "<i4"
-        values = _unpacked(np.frombuffer(content, kind, head["samples"], start), channel)
+        values = _unpack_values(np.frombuffer(content, kind, head["samples"], start), channel)
         start += width * head["samples"]
         arrays[channel["name"]] = (values, channel["units"], channel["long_name"])
     time = arrays.pop("time")[0]
-    return recording_of(time, arrays, attributes=head["attributes"]), [of_plain(one) for one in head["findings"]]
+    return recording_of(time, arrays, attributes=head["attributes"]), [of_plain(item) for item in head["findings"]]
 
 
-def _packed(values: Array) -> tuple[dict[str, Any], bytes]:
+def _pack_values(values: Array) -> tuple[dict[str, Any], bytes]:
     for factor in _FACTORS:
         for decimals in _DECIMALS:
             scaled = np.rint(values / factor * 10.0**decimals)
@@ -174,8 +174,8 @@ def _packed(values: Array) -> tuple[dict[str, Any], bytes]:
     return {"factor": 1.0, "decimals": None}, values.astype("<f8").tobytes()
 
 
-def _unpacked(stored: NDArray[Any], channel: dict[str, Any]) -> Array:
+def _unpack_values(stored: NDArray[Any], channel: dict[str, Any]) -> Array:
     if channel["decimals"] is None:
         return stored.astype(np.float64)
-    found: Array = np.cumsum(stored, dtype=np.int64) / 10.0 ** channel["decimals"] * channel["factor"]
-    return found
+    values: Array = np.cumsum(stored, dtype=np.int64) / 10.0 ** channel["decimals"] * channel["factor"]
+    return values

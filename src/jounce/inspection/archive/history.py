@@ -91,14 +91,14 @@ def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
         for name, value in visit.values.items():
             if value is not None and day is not None and name not in visit.unreliable:
                 series.setdefault((visit.axle, visit.wheel, name), []).append((day, value))
-    found = []
+    trends = []
     for (axle, wheel, name), points in series.items():
         days, values = np.array(points, dtype=float).T
         years = (days - days.mean()) / _DAYS_OF_A_YEAR
         if np.any(years != 0.0):
             slope = float(years @ values / (years @ years))
-            found.append(Trend(axle, wheel, name, slope, len(points)))
-    return found
+            trends.append(Trend(axle, wheel, name, slope, len(points)))
+    return trends
 
 
 def day_number(text: str) -> int | None:

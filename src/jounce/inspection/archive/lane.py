@@ -87,19 +87,19 @@ def inspect_record(
     """
     record, findings = read if read is not None else read_record(path, tester)
     inspection = evaluate(record, tester, vehicle, methods)
-    inspection = replace(inspection, findings=_said_once(findings, inspection))
+    inspection = replace(inspection, findings=_without_repeats(findings, inspection))
     graded = grade(inspection, limits, deciding=list(methods) if methods else [tester.method])
     return InspectedRecord(Path(path), record, graded)
 
 
-def _said_once(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
+def _without_repeats(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
     """Findings of the reading, without those of wheels that were not tested, then the others of the evaluation."""
     unused = [f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)]
-    read = [one for one in findings if not any(side in one.place for side in unused)]
-    named = {one.place for wheel in inspection.wheels for one in wheel.findings if _is_of_clipping(one)}
-    read = [one for one in read if not (_is_of_clipping(one) and one.place.rpartition(": ")[2] in named)]
-    said = {one.message for one in read}
-    return (*read, *(one for one in inspection.findings if one.message not in said))
+    read = [item for item in findings if not any(side in item.place for side in unused)]
+    places = {item.place for wheel in inspection.wheels for item in wheel.findings if _is_of_clipping(item)}
+    read = [item for item in read if not (_is_of_clipping(item) and item.place.rpartition(": ")[2] in places)]
+    messages = {item.message for item in read}
+    return (*read, *(item for item in inspection.findings if item.message not in messages))
 
 
 def _is_of_clipping(finding: Finding) -> bool:
@@ -245,11 +245,11 @@ def import_record(
         raise RecordingError("the file is empty", where=str(file))
     known = store.number_of(entry.digest)
     if known is not None:
-        return _known(str(file), known, store)
+        return _describe_known(str(file), known, store)
     graded, grading = None, None
     try:
         entry = _with_tester(entry, tester)
-        entry, graded = _evaluated(entry, vehicle, limits)
+        entry, graded = _evaluate(entry, vehicle, limits)
         grading = grading_of(graded)
     except (OutputError, OSError):  # the record was not looked at: this is no verdict
         raise
@@ -260,7 +260,7 @@ def import_record(
         grading = refusal_of(problem, limits)
     number, is_new = store.accept(entry, grading)
     return (
-        _known(str(file), number, store)
+        _describe_known(str(file), number, store)
         if not is_new
         else ImportedRecord(str(file), number, True, grading.verdict, problem_of(grading), warnings_of(grading))
     )
@@ -276,7 +276,7 @@ def problem_of(grading: Grading) -> str:
     return reasons[0] if reasons and grading.verdict == NOT_GRADED else ""
 
 
-def _known(file: str, number: int, store: Store) -> ImportedRecord:
+def _describe_known(file: str, number: int, store: Store) -> ImportedRecord:
     grading = store.newest_grading(number)
     if grading is None:
         return ImportedRecord(file, number, False, NOT_GRADED)
@@ -286,14 +286,19 @@ def _known(file: str, number: int, store: Store) -> ImportedRecord:
 def warnings_of(grading: Grading) -> int:
     """Count the findings of a record and its wheels that weaken values, as a tyre that leaves the plate."""
     places = [grading.result, *grading.result.get("wheels", [])]
-    return sum(one["severity"] == "warning" for place in places for one in place.get("findings", []))
+    return sum(item["severity"] == "warning" for place in places for item in place.get("findings", []))
 
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
     """Take the tester that the header names where none is given; nothing is guessed."""
     if tester is not None:
         return entry
-    shipped = {text: found for name in library() for found in (load_tester(name),) for text in (name, found.name)}
+    shipped = {
+        text: shipped_tester
+        for name in library()
+        for shipped_tester in (load_tester(name),)
+        for text in (name, shipped_tester.name)
+    }
     if entry.tester not in shipped:
         raise RecordingError(
             "no tester is given, and the record names none that is known",
@@ -305,21 +310,21 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
     return replace(entry, tester_table=_table_of(shipped[entry.tester]))
 
 
-def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
+def _evaluate(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
     """Evaluate the very bytes of an entry; gives it with its signals."""
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)
-    found = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
-    said = found.facts
+    inspection = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
+    facts = inspection.facts
     filled = replace(
         entry,
-        plate=entry.plate or said.get("plate_number", ""),
-        vehicle=entry.vehicle or said.get("vehicle", ""),
-        date=entry.date or day_of(said.get("date", "")),
-        axle=entry.axle or said.get("axle", ""),
+        plate=entry.plate or facts.get("plate_number", ""),
+        vehicle=entry.vehicle or facts.get("vehicle", ""),
+        date=entry.date or day_of(facts.get("date", "")),
+        axle=entry.axle or facts.get("axle", ""),
         signals=pack(record, findings),
     )
-    return filled, found.graded
+    return filled, inspection.graded
 
 
 def stored_tester(entry: RecordEntry) -> Tester:
@@ -347,7 +352,8 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
                 error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
             ) from None
     return record, [
-        replace(one, place=one.place.replace(beside, ""), message=one.message.replace(beside, "")) for one in findings
+        replace(item, place=item.place.replace(beside, ""), message=item.message.replace(beside, ""))
+        for item in findings
     ]
 
 

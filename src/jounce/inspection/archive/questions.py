@@ -387,10 +387,10 @@ class ReevaluatedStore(Shown):
 
     def to_dict(self) -> dict[str, Any]:
         """Give counts, changes of verdicts, and records that could not be read, as plain data."""
-        found = self.result
-        changes = [{"before": a, "after": b, "records": count} for (a, b), count in found.changes.items()]
+        result = self.result
+        changes = [{"before": a, "after": b, "records": count} for (a, b), count in result.changes.items()]
         names = ("records", "added", "unchanged", "changed", "failed")
-        about = {"store": self.store, "limits": self.limits, **{name: getattr(found, name) for name in names}}
+        about = {"store": self.store, "limits": self.limits, **{name: getattr(result, name) for name in names}}
         plain: dict[str, Any] = to_plain({**about, "changes": changes})
         return plain
 
@@ -457,7 +457,7 @@ def reevaluate_inspections(
     chosen, graded_by = None if tester is None else load_tester(tester), load_limits(limits)
     Store(store, read_only=True).close()  # where there is no store, none is made
     with closing(Store(store)) as opened:
-        found = reevaluate(
+        result = reevaluate(
             opened,
             graded_by,
             tester=chosen,
@@ -465,4 +465,4 @@ def reevaluate_inspections(
             from_files=from_files,
             say=lambda done, number: progress(counted("evaluated {which} of {count}", done, number)),
         )
-    return ReevaluatedStore(opened.location, graded_by.label, found)
+    return ReevaluatedStore(opened.location, graded_by.label, result)

@@ -46,7 +46,7 @@ class Reevaluation:
 
 
 @dataclass(frozen=True)
-class _Found:
+class _Outcome:
     number: int
     before: str = ""
     grading: Grading | None = None
@@ -77,14 +77,14 @@ def reevaluate(
     failed: dict[int, str] = {}
     with _results(task, batches, min(workers, len(batches))) as results:
         for batch in results:
-            new = [(one.number, one.grading) for one in batch if one.grading is not None]
+            new = [(outcome.number, outcome.grading) for outcome in batch if outcome.grading is not None]
             store.add_gradings(new)
             added, done = added + len(new), done + len(batch)
-            failed |= {one.number: one.problem for one in batch if one.problem}
-            for one in batch:
-                if one.grading is not None and one.grading.verdict != one.before:
-                    changes[one.before, one.grading.verdict] += 1
-                    changed.append(one.number)
+            failed |= {outcome.number: outcome.problem for outcome in batch if outcome.problem}
+            for outcome in batch:
+                if outcome.grading is not None and outcome.grading.verdict != outcome.before:
+                    changes[outcome.before, outcome.grading.verdict] += 1
+                    changed.append(outcome.number)
             if say is not None:
                 say(done, len(numbers))
     same = len(numbers) - added - len(failed)
@@ -100,7 +100,7 @@ class _Reevaluation:
 
 
 @contextmanager
-def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Found]]]:
+def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Outcome]]]:
     """Give what comes of the batches, in their order, as it comes."""
     if workers <= 1:
         store = Store(task.address, read_only=True)
@@ -149,35 +149,35 @@ def _begin(task: _Reevaluation) -> None:
     _open.update(task=task, store=Store(task.address, read_only=True))
 
 
-def _work(batch: list[int]) -> list[_Found]:
+def _work(batch: list[int]) -> list[_Outcome]:
     return _work_on(_open["store"], _open["task"], batch)
 
 
-def _work_on(store: Store, task: _Reevaluation, batch: list[int]) -> list[_Found]:
-    return [_again(store, task, number) for number in batch]
+def _work_on(store: Store, task: _Reevaluation, batch: list[int]) -> list[_Outcome]:
+    return [_reevaluate_record(store, task, number) for number in batch]
 
 
-def _again(store: Store, task: _Reevaluation, number: int) -> _Found:
+def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outcome:
     """Evaluate one record again; whatever it meets, the others go on."""
     try:
         newest = store.newest_grading(number)
         entry = store.entry(number)
     except RecordingError as error:
-        return _Found(number, problem=str(error))
+        return _Outcome(number, problem=str(error))
     before = "" if newest is None else newest.verdict
     try:
         tester = task.tester if entry.tester_table is None and task.tester is not None else stored_tester(entry)
         read = _signals(store, number, entry, tester, from_files=task.from_files)
-        found = inspect_record(entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read)
-        grading = grading_of(found.graded)
+        inspection = inspect_record(entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read)
+        grading = grading_of(inspection.graded)
     except _Lost as error:
-        return _Found(number, before, problem=str(error))
+        return _Outcome(number, before, problem=str(error))
     except Exception as error:  # noqa: BLE001 - one record must not stop ten thousand
         if is_of_system(error):
             raise resource_error(error, entry.name) from None
         problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
         grading = refusal_of(problem, task.limits)
-    return _Found(number, before, None if newest is not None and _is_same(newest, grading) else grading)
+    return _Outcome(number, before, None if newest is not None and _is_same(newest, grading) else grading)
 
 
 class _Lost(Exception):

@@ -129,8 +129,8 @@ class Store:
     def number_of(self, digest: str) -> int | None:
         """Number of the record with a digest, if it is in the store."""
         with self._reading() as connection:
-            found = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == digest)).scalar()
-        return None if found is None else int(found)
+            number = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == digest)).scalar()
+        return None if number is None else int(number)
 
     def add_gradings(self, gradings: Sequence[tuple[int, Grading]]) -> None:
         """Add gradings to records by their numbers, all of them or none."""
@@ -214,7 +214,7 @@ class Store:
         asked = asked if until is None else asked.where(RECORDS.c.date <= until)
         with self._reading() as connection:
             rows = connection.execute(asked.select_from(joined).order_by(RECORDS.c.date, RECORDS.c.number))
-            return [_stored(row, _grading(row)) for row in rows]
+            return [_record_of_row(row, _grading(row)) for row in rows]
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
         """Give the records that can be read of a damaged store, row by row, and what was in the way of the others."""
@@ -222,15 +222,15 @@ class Store:
         gradings: dict[int, Grading] = {}
         for row in self._rows(select(*_RESULT_COLUMNS), RESULTS.c.number, lost):
             try:
-                found = _grading(row)
+                grading = _grading(row)
             except RecordingError as error:
                 lost.append(error.what)
             else:
-                gradings |= {} if found is None else {row.record: found}
+                gradings |= {} if grading is None else {row.record: grading}
         records = []
         for row in self._rows(select(*_SHOWN_COLUMNS), RECORDS.c.number, lost):
             try:
-                records.append(_stored(row, gradings.get(row.number)))
+                records.append(_record_of_row(row, gradings.get(row.number)))
             except RecordingError as error:
                 lost.append(error.what)
         return records, lost
@@ -248,7 +248,7 @@ class Store:
             except RecordingError:
                 unread.append(at)
             if row is not None:
-                lost += [f"row {one} of the {number.table.name} cannot be read" for one in unread]
+                lost += [f"row {row_number} of the {number.table.name} cannot be read" for row_number in unread]
                 missing, unread = 0, []
                 yield row
         if unread:
@@ -257,7 +257,7 @@ class Store:
     def _record(self, number: int) -> StoredRecord:
         with self._reading() as connection:
             row = connection.execute(select(*_SHOWN_COLUMNS).where(RECORDS.c.number == number)).one()
-        return _stored(row, self.newest_grading(number))
+        return _record_of_row(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
         """All gradings of a record, the oldest first."""
@@ -292,15 +292,15 @@ class Store:
     def problems(self) -> list[str]:
         """Check the whole store, every record byte by byte; give what is damaged, nothing for a sound one."""
         with self._reading() as connection:
-            found = problems_of(connection)
+            problems = problems_of(connection)
         for number in self.numbers():
             try:
                 self.content(number)
                 self._record(number)
                 self.gradings(number)
             except RecordingError as error:
-                found.append(error.what)
-        return found
+                problems.append(error.what)
+        return problems
 
     def close(self) -> None:
         """Let go of the database."""
@@ -361,7 +361,7 @@ def _grading(row: Any) -> Grading | None:
     return Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
 
-def _stored(row: Any, grading: Grading | None) -> StoredRecord:
+def _record_of_row(row: Any, grading: Grading | None) -> StoredRecord:
     known: dict[str, Any] = {name: getattr(row, name) for name in _SHOWN}
     if _seal(*known.values()) != row.seal:
         raise DamagedStoreError(f"what is known of record {row.number} is damaged", hint="Use a copy of the store.")

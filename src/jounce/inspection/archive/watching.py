@@ -137,7 +137,7 @@ class FolderWatch:
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
         """Import a file and remember it; where the store or a disk cannot be written to now, it comes again."""
         try:
-            seen = self._imported(file)
+            seen = self._import(file)
             if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
                 if seen is not None:
                     self.store.note_watched(path, *stamp, seen.problem)
@@ -152,7 +152,7 @@ class FolderWatch:
         self._waiting.pop(path, None)
         return seen
 
-    def _imported(self, file: Path) -> Seen | None:
+    def _import(self, file: Path) -> Seen | None:
         """What becomes of a file; None for jounce's own output."""
         try:
             existing_file(file, RecordingError)  # a pipe would keep everything waiting
