@@ -81,7 +81,7 @@ def test_one_array_larger_than_the_machine_is_the_question_s_own_fault():
 @errors
 def test_no_record_is_graded_by_it(record, tmp_path, monkeypatch, error):
     store = Store(tmp_path / "lane.sqlite")
-    monkeypatch.setattr(lane, "_evaluated", raising(error))
+    monkeypatch.setattr(lane, "_evaluate", raising(error))
     with pytest.raises((ResourceError, OSError)):
         lane.import_record(record, store, TESTER)
     watch = FolderWatch(tmp_path, store, TESTER, settle=0.0)

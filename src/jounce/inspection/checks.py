@@ -90,7 +90,7 @@ def _find_shipped(name: str) -> tuple[str, str]:
 
 
 def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
-    """Tell a plate on a spring by its stroke (n,) in m: it follows the frequency (n,) in Hz, a rigid one's does not."""
+    """Report a plate on a spring: its stroke (n,) in m follows the frequency (n,) in Hz, a rigid one's does not."""
     inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
     if np.count_nonzero(inside) < _FEWEST_STROKES:
         return []
@@ -101,7 +101,7 @@ def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
 
 
 def check_sprung(strokes: Array, frequency: Array, signals: WheelSignals, tester: Tester) -> list[Finding]:
-    """Tell a rigid plate from one on the tester's spring, whose forces such strokes (n,) in m could not make.
+    """Report a rigid plate: on the tester's spring, such strokes (n,) in m could not make the measured forces.
 
     The spring is between the exciter and the plate, so no force compresses it by more than both of them move.
     """
@@ -190,7 +190,7 @@ def check_resolution(signals: WheelSignals, raw: Array, load: float) -> list[Fin
 
 
 def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str) -> list[Finding]:
-    """Tell a force (n,) in N that stands still while its plate moves, and moves while it stands: that of another plate.
+    """Report the force (n,) in N of another plate: constant while this plate moves, changing while it rests.
 
     ``moving`` are the first sample of the plate's motion and the one behind the last; the static load is in N.
     """
@@ -276,7 +276,7 @@ def _unit_of(ratio: float) -> str | None:
 
 
 def _is_turned(measured: float, load: float) -> bool:
-    """Whether a mean force is a static load (both in N) with the other sign."""
+    """Whether a mean force is a static load (both in N) with the opposite sign."""
     return abs(measured / load + 1.0) < _WEIGHT_PROBLEM
 
 
@@ -350,7 +350,7 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
 
 
 def check_dropout(force: Array, signals: WheelSignals, load: float) -> list[Finding]:
-    """Look for a force (N) that is exactly nothing for a while: a cell under a moving plate always feels the plate."""
+    """Report a force (N) of exactly zero for a while: a cell under a moving plate always feels the plate."""
     if signals.plate_mass <= 0.0:
         return []
     still = np.flatnonzero((np.diff(force) == 0.0) & (np.abs(force[1:]) < 0.05 * load))

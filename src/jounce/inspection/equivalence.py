@@ -45,7 +45,7 @@ _TESTS_OF_A_PROCESS = 200  # as many as one can do in the time that another proc
 
 @dataclass(frozen=True)
 class Factor:
-    """Something beside the damper that a test may feel."""
+    """A property other than the damper's that may influence a test."""
 
     name: str
     label: str  # on pictures, with its unit
@@ -92,7 +92,7 @@ class Disagreement:
 
 @dataclass(frozen=True)
 class Equivalence(Shown):
-    """What the study found.
+    """Results of the study.
 
     Attributes
     ----------

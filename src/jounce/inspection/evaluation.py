@@ -46,7 +46,7 @@ _EXCITER = 0.3  # of the stroke: the height of an exciter is found from forces, 
 
 @dataclass(frozen=True)
 class _RecordTask:
-    """What is the same for all wheels of a record."""
+    """Inputs shared by all wheels of a record."""
 
     tester: Tester | None
     vehicle_load: float | None
@@ -392,7 +392,7 @@ def _on_sprung_plate(
 def _by_methods(
     test: WheelTest, known: dict[str, Any], findings: list[Finding], curves: WheelCurves, chosen: Iterable[str]
 ) -> WheelResult:
-    """Put together what the chosen methods find in a test, beside what is known whatever they are."""
+    """Combine the results of the chosen methods with the values that are known without them."""
     halves: dict[str, float | None] = {}
     unreliable: dict[str, None] = {}
     for key, method in METHODS.items():

@@ -129,7 +129,7 @@ _ALIKE = 0.05  # share by which a tyre must differ from the usual one to be name
 
 
 def explain(wheel: WheelResult, bands: Mapping[str, VerdictBand], limits: Limits) -> list[Reason]:
-    """Say why methods disagree about a wheel, from its values and bands by method; nothing where they agree."""
+    """Explain why methods disagree about a wheel, from its values and bands by method; empty if they agree."""
     if len({band.verdict for band in bands.values()}) < 2:
         return []
     reasons = [Reason("disagree", "", {"grades": tuple(bands.items())})]
@@ -285,7 +285,7 @@ def _about(limits: Limits) -> dict[str, str]:
 
 
 def worst(verdicts: Iterable[str]) -> str:
-    """Give the worst verdict: one failure decides; otherwise what is not graded makes the whole not graded.
+    """Give the worst verdict: one failure decides; otherwise one part without a grade leaves the whole not graded.
 
     Examples
     --------
@@ -385,7 +385,7 @@ def _with_grades(
 
 
 def sentences_of(reasons: Iterable[Reason], language: Language = "en") -> tuple[str, ...]:
-    """Say reasons as sentences."""
+    """Write reasons as sentences."""
     return tuple(reason.text(language) for reason in reasons)
 
 
@@ -468,7 +468,7 @@ def near_edges(criterion: Criterion, value: float, half: float | None, method: s
 
 
 def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list[Reason]:
-    """What does not hold of what the methods used need, or not for certain."""
+    """Conditions of the used methods that fail, or may fail."""
     reasons = []
     for condition in limits.conditions.values():
         value, needed = wheel.value(condition.quantity), [method for method in condition.methods if method in used]

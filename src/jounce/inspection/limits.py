@@ -183,7 +183,7 @@ def _in_si(band: Any, i: int, unit: str) -> Any:
 
 
 class Condition(Criterion):
-    """Bands of what must hold for some methods; ``methods`` names them."""
+    """Bands of a condition that ``methods`` require."""
 
     methods: tuple[str, ...] = Field(min_length=1)
 

@@ -1,4 +1,4 @@
-"""The methods of inspection: what each of them measures on a tester, how it is evaluated, and what it has to say.
+"""The methods of inspection: what each of them measures on a tester, and how it is evaluated.
 
 A method is one row of ``METHODS``: its key and name, the shipped tester and the plates it works on, the values it gives
 (``quantities.NUMBERS`` has their units and words), and the function that finds them in a test. Its findings are rows of
@@ -143,7 +143,7 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
 
 
 def _of_fit(test: WheelTest) -> MethodResult:
-    """What the fitted quarter car says of every method's value: whether a damper acts, and whether it is one."""
+    """Values of the fitted quarter car that every method reports: explained force, damping ratio of the body."""
     result = MethodResult()
     if test.fit is not None:
         result.values["explained_force"] = test.fit.explained
@@ -159,7 +159,7 @@ def _of_body(corner: LinearQuarterCar) -> float:
 
 
 def _eusama(test: WheelTest) -> MethodResult:
-    """Adhesion, where the force is least, and the relative force amplitude of EGEA, which is made of the same force."""
+    """Adhesion at the least force, and EGEA's relative force amplitude, which follows from the same force."""
     result, minimum = _of_fit(test), test.adhesion
     if minimum is None:
         return result
@@ -262,7 +262,7 @@ def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rig
 
 
 def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
-    """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by the limits of a tester."""
+    """Report a tyre inflated too little or too much from its rigidity (N/m), by the limits of a tester."""
     low, high = limits_of(tester).tyre_rigidity_min, limits_of(tester).tyre_rigidity_max
     if low <= value <= high:
         return []
@@ -271,7 +271,7 @@ def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[F
 
 
 def _egea(test: WheelTest) -> MethodResult:
-    """Least phase angle and tyre rigidity beside what the least force gives."""
+    """Least phase angle and tyre rigidity, in addition to the values of the least force."""
     result, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
     tyre, result.findings = find_rigidity(test.signals, test.sweep, test.load)
     if tyre is not None:

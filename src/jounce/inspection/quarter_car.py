@@ -145,7 +145,7 @@ def wheel_damping(poles: Complex) -> tuple[float, float]:
 
 
 def body_damping(poles: Complex) -> float:
-    """Damping ratio (1) of the slowest swing, which is the body's; 1 where what is slowest does not oscillate.
+    """Damping ratio (1) of the body, the slowest mode; 1 if the slowest mode does not oscillate.
 
     Tyres hardly damp it, whatever they do to the wheel: next to nothing means that no damper acts.
     """
@@ -292,7 +292,7 @@ def _merit(fit: ResponseFit) -> float:
 
 
 def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
-    """Fit the parameters from a start on; the masses together (kg) carry the static load at first."""
+    """Fit the parameters from a start; at first the masses together (kg) make up the static load."""
     cost, normal, right = _system(parts, here)
     damping = 1e-3
     for _ in range(_MOST_STEPS):
@@ -313,7 +313,7 @@ def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit
 
 
 def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
-    """Let the masses differ from the static load, and weigh what is known beforehand against the noise."""
+    """Let the masses differ from the static load, and weigh the prior against the noise."""
     freedom = max(2 * sum(stretch.s.size for stretch in parts) - _FREE - TRANSIENT * len(parts), 1)
     cost, normal, right = _system(parts, here)
     damping = 1e-9
@@ -344,7 +344,7 @@ def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> Respo
 
 
 def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
-    """Normal matrix and right side of what is known beforehand: tyre damping, and the sum of the masses (kg)."""
+    """Normal matrix and right side of the prior: tyre damping, and the sum of the masses (kg)."""
     of_mass = variance / (_MASS_SPREAD * mass) ** 2
     known = of_mass * np.outer(_SUM, _SUM)
     known[4, 4] += variance / _TYRE_DAMPING_SPREAD**2
@@ -354,7 +354,7 @@ def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, 
 
 
 def _surprise(here: Array, mass: float, variance: float) -> float:
-    """Sum of squares by which parameters miss what is known beforehand."""
+    """Sum of squares by which parameters miss the prior."""
     gap = (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass), (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD
     return variance * float(gap[0] ** 2 + gap[1] ** 2)
 

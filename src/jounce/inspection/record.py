@@ -187,7 +187,7 @@ def _text(value: object, where: str) -> str:
 
 
 def day_of(text: str) -> str:
-    """Give a date as ISO 8601 day; what is no date is kept as it is.
+    """Give a date as ISO 8601 day; other text is returned unchanged.
 
     Examples
     --------

@@ -63,7 +63,7 @@ class WheelSignals:
 
 @dataclass(frozen=True)
 class PlateCalibration:
-    """What a run of the unloaded plate says.
+    """Calibration of a plate from a run without a wheel.
 
     Attributes
     ----------

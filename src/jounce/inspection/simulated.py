@@ -1,4 +1,4 @@
-"""What a tester would say about a rig: its test simulated and evaluated, or its steady states."""
+"""Inspection of a rig by simulation: its test simulated and evaluated, or its steady states."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def tester_for(method: str) -> Tester:
 
 
 def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
-    """Give what stands on the plates: of a vehicle one of its axles.
+    """Give the rig on the plates: of a vehicle, one of its axles.
 
     Raises
     ------
@@ -225,12 +225,12 @@ def _deciding(method: str | None, tester: Tester) -> str:
 
 
 def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
-    """Only what the tester of one wheel has measured; the other plate of an axle stood still."""
+    """Channels of one wheel's plate; the other plate of an axle stood still."""
     return record[[name for name in record.data_vars if str(name).startswith(f"{wheel}.")]]
 
 
 def _with_findings(inspection: Inspection, rig: Rig, tester: Tester) -> Inspection:
-    """Add what the description says already, where the record's evaluation does not."""
+    """Add findings that follow from the description and that the evaluation lacks."""
     wheel = inspection.wheels[0]
     known = {item.place.rpartition(".")[2] for item in wheel.findings}
     new = [item for item in findings_of_test(rig, tester) if item.place.rpartition(".")[2] not in known]
@@ -257,7 +257,7 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
 
 
 def _is_linear(rig: Rig) -> bool:
-    """Whether nothing but the tyre's lift-off is not linear."""
+    """Whether lift-off of the tyre is the only nonlinearity."""
     if not isinstance(rig, QuarterCar):
         return False
     strut = rig.strut

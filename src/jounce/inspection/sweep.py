@@ -133,7 +133,7 @@ def _missing_rows(turns: Turns, place: str) -> list[Finding]:
 
 
 def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
-    """What is wrong with the sweep of a sprung plate: it must pass the wheel's resonance, once."""
+    """Check that the sweep of a sprung plate passes the wheel's resonance exactly once."""
     frequency, top = sweep.turns.frequency, sweep.highest
     middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
     low = min(_BELOW_RESONANCE, 0.4 * top)

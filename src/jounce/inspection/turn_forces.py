@@ -178,7 +178,7 @@ def _merge_turns(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, A
 
 
 def _noise(gap: Array, wide: Array) -> float:
-    """Size of what jumps from one value to the next, in units of ``wide``."""
+    """Size of the jumps between neighbouring values, in units of ``wide``."""
     second = gap[:-2] - 2.0 * gap[1:-1] + gap[2:]
     scale = np.sqrt(wide[:-2] ** 2 + 4.0 * wide[1:-1] ** 2 + wide[2:] ** 2)
     jumps = float(np.median(np.abs(second) / scale)) / 0.6745
@@ -224,7 +224,7 @@ _HIGHEST_OF_BODY = 2.5  # Hz; it heaves, pitches and rolls upon the other wheels
 
 @dataclass(frozen=True)
 class Analysis:
-    """What every turn shows, measured and modelled."""
+    """Results of every turn, measured and modelled."""
 
     load: float  # static load, N
     fit: ResponseFit | None  # quarter car; None where none could be fitted
@@ -367,6 +367,6 @@ def _doubts(
 
 
 def _is_own(frequency: float, corner: LinearQuarterCar) -> bool:
-    """Whether a frequency (Hz) is one at which a wheel that is next to undamped, or the body upon it, swings on."""
+    """Whether a nearly undamped wheel, or the body on it, swings on at a frequency (Hz)."""
     ratio, own = wheel_damping(road_poles(corner))
     return ratio < _UNDAMPED and (frequency < _HIGHEST_OF_BODY or abs(frequency / own - 1.0) < _OWN)

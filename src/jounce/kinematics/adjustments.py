@@ -55,7 +55,7 @@ class Adjustable:
 
 
 def _zero(_rig: Corner) -> float:
-    """Value that a change has in a rig as it is."""
+    """Base value of a change: zero in the rig as described."""
     return 0.0
 
 
@@ -64,7 +64,7 @@ def _always(_rig: Corner) -> bool:
 
 
 def _has(point: str) -> Callable[[Corner], bool]:
-    """Tell of a rig whether it has a hardpoint."""
+    """Make a test of a rig for a hardpoint."""
     return lambda rig: hasattr(rig.hardpoints, point)
 
 
@@ -333,7 +333,7 @@ def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
 
 
 def _change_linkage(rig: C, values: Mapping[str, float]) -> C:
-    """Make the changes of the linkage, if there are any."""
+    """Apply the changes of the linkage, if any."""
     geometry = [name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY]
     if not any(values[name] != SETTINGS[name].base(rig) for name in geometry):
         return rig

@@ -105,7 +105,7 @@ def rigid_motion(before: Array, after: Array) -> tuple[Array, Array]:
 
 
 def _least_turn(start: Array, end: Array) -> Array:
-    """Rotation that brings a direction to another one the short way."""
+    """Shortest rotation from one direction to another."""
     a, b = start / np.linalg.norm(start), end / np.linalg.norm(end)
     axis, cosine = np.cross(a, b), float(a @ b)
     skew = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
@@ -140,7 +140,7 @@ def _length(points: Mapping[str, Triple], element: str) -> float:
 
 
 def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
-    """Let spring and stops be what they are while the design length (m) becomes another one."""
+    """Keep spring and stops unchanged while the design length (m) changes."""
     spring = strut.get("spring")
     if spring is not None and "free_length" not in spring:
         preload = spring.pop("preload", 0.0)
@@ -162,6 +162,6 @@ def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
 
 
 def _keep_damper(damper: dict[str, Any], before: float, after: float) -> None:
-    """Let what a damper's law has of its stroke be what it is while the design length (m) becomes another one."""
+    """Keep a damper's law over its stroke unchanged while the design length (m) changes."""
     if "stiffness" in damper:
         damper["offset"] += damper["stiffness"] * (before - after)

@@ -1,4 +1,4 @@
-"""How people give what several commands of kinematics share: travel, rack."""
+"""Options shared by several kinematics commands: travel, rack."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A linkage put together again: rods of other lengths, moved supports, shims on the upright; everything else follows.
+"""Linkages reassembled with rods of other lengths, moved supports and shims; everything else follows.
 
 The wheel centre keeps its height. The upright moves as a rigid body, arms, links and the rocker turn about what holds
 them, and the links of push rod and anti-roll bar keep their lengths.

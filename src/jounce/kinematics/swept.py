@@ -220,7 +220,7 @@ def _sweep_wheel(
 
 
 def _refuse_beside(given: Mapping[str, bool]) -> None:
-    """Refuse what poses one by one do not take."""
+    """Refuse arguments that single poses do not take."""
     for name, is_given in given.items():
         if is_given:
             hint = "Of an axle use --left-travel and --right-travel." if name == "travel" else "Leave it out."

@@ -369,7 +369,7 @@ class _Free:
         return self._mass.solve(ca.densify(applied)), ca.SX(0, 1)
 
     def displacement(self, _: ca.SX) -> ca.SX:
-        """Nothing to take back."""
+        """Return no displacement."""
         return ca.SX(self._size, 1)
 
     def conditioning(self) -> ca.SX:

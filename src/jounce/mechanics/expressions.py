@@ -12,7 +12,7 @@ from jounce.core.units import to_si
 
 
 def check_name(name: object, where: str = "") -> str:
-    """Refuse what is no name: anything but text, empty text, and blanks around it."""
+    """Refuse invalid names: other types, empty text, and blanks around a name."""
     if isinstance(name, str) and name and name == name.strip():
         return name
     named = getattr(name, "name", None)

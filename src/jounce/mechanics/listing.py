@@ -190,7 +190,7 @@ def _with_units(mechanism: Structure, names: tuple[str, ...]) -> list[Plain]:
 
 
 def as_text(listed: Mapping[str, Any]) -> str:
-    """The same for a reader: one line for each thing."""
+    """Write the mechanism for a reader, one line per part."""
     bodies = []
     for body in listed["bodies"]:
         if "mass" in body:

@@ -268,7 +268,7 @@ class Mechanism(Structure):
         return ca.vertcat(q, e)
 
     def _close(self, joint: Joint) -> ca.SX:
-        """Keep two bodies together that have their places."""
+        """Close a loop between two placed bodies."""
         rows = tuple(joint.rows())
         equations = [
             Equation(f"{joint.name}.{row.tag}" if row.tag else joint.name, joint.name, row.unit) for row in rows
@@ -410,7 +410,7 @@ class Mechanism(Structure):
         return multiplier
 
     def _check_track(self, name: str, track: object) -> None:
-        """Refuse what is no prescribed input of this mechanism."""
+        """Refuse anything but a track of this mechanism."""
         if all(track is not known for known in self.collection.tracks.values()):
             named = track.value if isinstance(track, Track) else track
             text, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
@@ -444,7 +444,7 @@ class Mechanism(Structure):
         return [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
 
     def _check(self, name: str, *bodies: Body) -> None:
-        """Refuse what is no body, bodies of another mechanism, and one body twice."""
+        """Refuse other types, bodies of another mechanism, and the same body twice."""
         check_name(name)
         for body in bodies:
             if not isinstance(body, Body):
@@ -1119,7 +1119,7 @@ class Mechanism(Structure):
             return self._finished[key]
 
     def _size(self) -> tuple[object, ...]:
-        """What grows with everything that is added."""
+        """Counts that grow with every part that is added."""
         each = (self.bodies, self.hanging, self.closing, self.conditions, self.loads, *vars(self.collection).values())
         return (*(len(part) for part in each if isinstance(part, dict | list)), *self.watched.values())
 

@@ -1,4 +1,4 @@
-"""What is legal in a rig or a vehicle and yet looks wrong: findings with the number behind each."""
+"""Plausibility checks of rigs and vehicles: findings on legal but unlikely values, each with its number."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
 
 @remembered
 def _check_all(rig: Rig) -> tuple[Finding, ...]:
-    """All findings; every run asks for them."""
+    """Collect all findings; cached, since every run asks for them."""
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (
@@ -130,7 +130,7 @@ def _check_estimated(rig: Rig) -> Iterator[Finding]:
 
 
 def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Finding]:
-    """Ask about points (m) that no car has: millimetres taken for metres, or metres for millimetres."""
+    """Report points (m) of implausible size: millimetres read as metres, or metres as millimetres."""
     sizes = {name: float(np.max(np.abs(point))) for name, point in points.items()}
     largest = max(sizes.values(), default=0.0)
     if largest > LARGE:
@@ -199,7 +199,7 @@ def _check_strut(rig: Corner) -> Iterator[Finding]:
 
 
 def _check_driving(place: str, damper: object) -> Iterator[Finding]:
-    """The first point at which a table drives the motion instead of damping it."""
+    """Report the first point of a damper table at which it drives the motion instead of damping it."""
     if isinstance(damper, VelocityTable):
         rows = {"": damper.force}
     elif isinstance(damper, MapDamper):
@@ -233,7 +233,7 @@ def _check_bodies(rig: Corner) -> Iterator[Finding]:
 
 
 def _check_bars(rig: Corner) -> Iterator[Finding]:
-    """Whether the links of a T-bar hold its hinge and its stem."""
+    """Report a T-bar whose links do not hold its hinge and its stem."""
     if rig.anti_roll_bar is None or rig.anti_roll_bar.kind != "t":
         return
     points = {name: np.array(point) for name, point in rig.hardpoints.given().items() if name.startswith("arb_")}
@@ -270,7 +270,7 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     length, beside = rig.hardpoints.length("spring"), carried_beside_spring(rig)
 
     def lacking(deflection: float) -> float:
-        """What is missing at the spring (N) to carry the car, at the levers of the design."""
+        """Force (N) missing at the spring to carry the car, with the levers of the design pose."""
         more = (carried_beside_spring(rig, deflection / ratio) - beside) / ratio
         return needed - spring_force(rig, deflection) - more
 
@@ -298,7 +298,7 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
 
 
 def _check_deflection(place: str, deflection: float, most: float) -> Iterator[Finding]:
-    """A tyre that its load would press flat (m)."""
+    """Report a tyre that its load would press flat (m)."""
     if deflection > most:
         yield finding("parts.tyre_pressed_in", place, deflection, deflection=deflection)
 

@@ -122,7 +122,7 @@ class Hardpoints(Description):
         return distance(bottom, top)
 
     def _refuse_lost_points(self) -> None:
-        """Refuse single points in another unit than the rest; where all are large, it is a finding."""
+        """Refuse single points in a unit other than the rest; if all are large, a finding reports it."""
         sizes = {name: max(abs(value) for value in point) for name, point in self.given().items()}
         for name, size in sizes.items():
             if size > LARGE and min(sizes.values()) < LARGE:
@@ -265,7 +265,7 @@ class Corner(Rig):
     @model_validator(mode="before")
     @classmethod
     def _hardpoints_are_enough(cls, table: Any) -> Any:
-        """Let whoever sweeps only leave out masses, springs, dampers and tyres; nothing that follows from them exists.
+        """Allow files without masses, springs, dampers and tyres: hardpoints and wheel are enough for a sweep.
 
         Only what is left out whole is: a rig with some of its bodies has forgotten the others.
         """
@@ -304,7 +304,7 @@ class Corner(Rig):
 
     @model_serializer(mode="wrap")
     def _as_given(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out what stands in for what the file leaves out: that is how it is read again, and changed."""
+        """Omit placeholders of parts that the file leaves out, so that it is read and changed as written."""
         table: dict[str, Any] = dump(self)
         entries = {key: value for key, value in table.items() if key not in ("without", *self.without)}
         if "bodies" in self.without:
@@ -314,32 +314,32 @@ class Corner(Rig):
         return entries
 
     def parameters(self) -> dict[str, float]:
-        """Give every number of the rig by its path, SI; without those that stand in for what the file leaves out."""
+        """Give every number of the rig by its path, SI; without placeholders of parts that the file leaves out."""
         numbers = super().parameters()
         unread = tuple(_STANDING_IN[name] for name in self.without)
         return {path: value for path, value in numbers.items() if not path.startswith(unread)} if unread else numbers
 
     @property
     def lacks(self) -> tuple[str, ...]:
-        """What it leaves out that nothing else does the work of, as a torsion bar does that of the strut's spring."""
+        """Parts left out that nothing replaces; a torsion bar, for example, replaces the strut's spring."""
         if not self.has_strut:
             return ("strut", *self.without)
         return tuple(name for name in self.without if name != "spring" or self.torsion_bar is None)
 
     @property
     def has_strut(self) -> bool:
-        """Whether its points hold the ends of a strut, of which spring and damper are."""
+        """Whether the hardpoints include the ends of a strut, which carries spring and damper."""
         return self.hardpoints.strut_bottom is not None
 
     @property
     def only_travels(self) -> bool:
-        """Whether one coordinate tells its pose: ideal joints, a body that does not turn, nothing left out."""
+        """Whether one coordinate describes its pose: ideal joints, a body that does not turn, nothing left out."""
         soft = self.bushings.model_dump(exclude_none=True)
         return self.guide != "vertical+spherical" and not soft and not self.lacks
 
     @property
     def besides_strut(self) -> tuple[str, ...]:
-        """Tables of springs that carry the car beside the strut's while both wheels move alike."""
+        """Tables of the springs that help the strut's spring to carry the car when both wheels move alike."""
         has = {"torsion_bar": self.torsion_bar is not None, "third_spring": self.third_spring is not None}
         has["anti_roll_bar"] = self.anti_roll_bar is not None and self.anti_roll_bar.kind == "z"
         return tuple(name for name, there in has.items() if there)
@@ -480,7 +480,7 @@ class Corner(Rig):
         self._check_third_spring()
 
     def _check_strut(self) -> None:
-        """Refuse what needs the ends of a strut, where the points do not hold them."""
+        """Refuse parts that need the ends of a strut if the hardpoints lack them."""
         if self.has_strut:
             return
         laws = [name for name in ("spring", "damper") if name not in self.without]
@@ -545,7 +545,7 @@ class Corner(Rig):
 
 
 def _mirror(table: dict[str, Any]) -> dict[str, Any]:
-    """Table of a rig with the sign of everything changed that a mirror at y = 0 changes."""
+    """Mirror the table of a rig at y = 0."""
     mirrored = dict(table)
     for key, value in table.items():
         if key == "bushings":

@@ -156,7 +156,7 @@ def load(name: str | Path) -> Rig:
 
 
 def as_rig(given: Rig | str | Path) -> Rig:
-    """Give the rig meant: one, the file of one, or the name of a shipped one.
+    """Return a rig as it is, or load it from its file or by its shipped name.
 
     >>> as_rig("kart-quarter-car") == load("kart-quarter-car")
     True
@@ -228,7 +228,7 @@ def _corner_models() -> list[str]:
 
 
 def _shipped_corners() -> str:
-    """What may be the corner of a vehicle."""
+    """Corners that a vehicle can name."""
     models = _corner_models()
     corners = [shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in models]
     return f"a table, a .toml file from this file's folder, or one of {', '.join(corners)}"
@@ -361,7 +361,7 @@ def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: b
 
 
 def _rebase_corners(text: str, before: Path, after: Path) -> str:
-    """Give the text of a vehicle as it says the same from another folder, whose corners may lie beside it."""
+    """Rewrite the corner files that a vehicle's text names, so that another folder finds them."""
     if before.resolve() == after.resolve():
         return text
     document = tomlkit.parse(text)
@@ -376,7 +376,7 @@ def _rebase_corners(text: str, before: Path, after: Path) -> str:
 
 
 def _write_default(rig: Rig, parents: list[str | int]) -> Any:
-    """What a part is written as that the file leaves to its default: an empty table, or the whole list of numbers."""
+    """Write a part that the file leaves to its default: an empty table, or the whole list of numbers."""
     name = dotted(tuple(parents))
     known = rig.parameters()
     values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]

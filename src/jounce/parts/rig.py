@@ -170,13 +170,13 @@ def shown_unit_of(kind: BaseModel, path: str) -> str:
 
 
 def unit_question(place: str, unit: Unit, value: float) -> list[Finding]:
-    """Ask whether a size (SI) was meant in another unit; nothing where it may be right."""
+    """Ask whether a size (SI) was meant in another unit; no question if it is plausible."""
     meant = unit.mistaken_for(value)
     return [finding("parts.unit_meant", place, value, value=value, unit=unit.si, meant=meant)] if meant else []
 
 
 def questions(description: BaseModel) -> list[Finding]:
-    """Ask about numbers that nothing of a suspension has, each at its path."""
+    """Report implausible values, each at its path."""
     return [
         question
         for path, value in parameters_of(description).items()
@@ -190,7 +190,7 @@ def _units_in(annotation: Any) -> list[Unit]:
 
 
 def check_rig(given: object) -> Rig:
-    """Refuse what is no rig or vehicle."""
+    """Refuse anything but a rig or a vehicle."""
     if isinstance(given, Rig):
         return given
     hint = f"Load it: jn.load({str(given)!r})." if isinstance(given, str | Path) else ""

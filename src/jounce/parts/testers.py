@@ -239,7 +239,7 @@ def library() -> dict[str, Path]:
 
 
 def as_tester(given: Tester | str | Path) -> Tester:
-    """Give the tester meant: one, the file of one, or the name of a shipped one.
+    """Return a tester as it is, or load it from its file or by its shipped name.
 
     >>> as_tester("eusama") == load_tester("eusama")
     True

@@ -103,7 +103,7 @@ def compare(
 
 
 def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[str, xr.Dataset]:
-    """Give runs by name; refuse none at all."""
+    """Give runs by name; refuse an empty collection."""
     named = dict(runs) if isinstance(runs, Mapping) else {f"run {k}": run for k, run in enumerate(runs, 1)}
     if not named:
         raise RecordingError("there is nothing to compare", where="compare", allowed="at least one recording or sweep")
@@ -111,7 +111,7 @@ def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[st
 
 
 def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
-    """Name what all runs are over: time, or what was swept."""
+    """Name the axis that all runs share: time, or a swept quantity."""
     axis_of = {}
     for label, data in runs.items():
         axes = [str(name) for name in data.dims if name in data.coords]

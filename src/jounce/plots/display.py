@@ -57,7 +57,7 @@ _ROUNDING = 1e-12
 
 
 def settled_number(value: float | None, si: str, unit: DisplayUnit) -> str:
-    """Write an SI value in a unit; what rounding leaves of nothing is nothing.
+    """Write an SI value in a unit; a rounding residue is written as zero.
 
     >>> settled_number(3e-17, "rad", DisplayUnit("°", 57.3)), settled_number(0.01, "m", DisplayUnit("mm", 1e3))
     ('0', '10.00')

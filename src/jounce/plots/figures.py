@@ -217,7 +217,7 @@ def in_legend(name: str) -> str:
 
 
 def at_tick(name: str, most: int = _LONGEST_TICK) -> str:
-    """A name that a user gave, cut to a length that leaves room for what is drawn; tables beside it have it whole."""
+    """Truncate a user's name so that it leaves room for the drawing; tables beside it show it in full."""
     return name if len(name) <= most else f"{name[: most - 1]}…"
 
 

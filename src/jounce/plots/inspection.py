@@ -89,7 +89,7 @@ def inspection_curves(
 def _drawings(
     wheels: list[WheelResult], record: xr.Dataset | None, words: dict[str, str], phase_limits: dict[str, float]
 ) -> list[Callable[[Axes], None]]:
-    """What there is to draw, from left to right."""
+    """Functions that draw the panels, from left to right."""
     drawings: list[Callable[[Axes], None]] = []
     rigid = any(_has_values(_amplitude(wheel)) for wheel in wheels)
     if rigid:

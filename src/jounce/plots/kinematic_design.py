@@ -86,7 +86,7 @@ def _curve(axes: Axes, target: TargetResult) -> None:
 
 
 def _singles(axes: Axes, targets: list[TargetResult]) -> None:
-    """Each single value as so many tolerances from what is wanted."""
+    """Draw how many tolerances each single value is away from its target."""
     axes.axvspan(-1.0, 1.0, color=PALETTE[2], alpha=0.25, lw=0, label="wanted")
     for i, target in enumerate(targets):
         for value, colour, mark, label in (
@@ -141,7 +141,7 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
 
 
 def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) -> None:
-    """Draw bars to either side, the largest on top, of what has an effect at all."""
+    """Draw bars to either side, the largest on top; negligible effects are left out."""
     largest = max((abs(value) for value in effects.values()), default=0.0)
     bars = [(name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest]
     bars = sorted(bars, key=lambda bar: -abs(bar[1]))[:most]

@@ -129,7 +129,7 @@ def test_spreads_follow_from_the_covariance() -> None:
 def test_what_is_expected_pulls_down_the_surprise() -> None:
     """The pull is minus half of the surprise's slope, the normal matrix half of its curvature."""
     here, mass, variance = np.array([45.0, 26e3, 900.0, 210e3, 130.0, 380.0]), 440.0, 7.0
-    known, pull = quarter_car._expected(here, mass, variance)
+    known, pull = quarter_car._prior_equations(here, mass, variance)
 
     def surprise(at: np.ndarray) -> float:
         return quarter_car._surprise(at, mass, variance)
@@ -515,7 +515,7 @@ def test_what_a_fit_leaves_is_told(line, others, explained, codes) -> None:
 
 def test_turns_of_one_frequency_are_averaged() -> None:
     f, y, base, wide = np.array([[10.0, 10.01, 10.2], [1.0, 3.0, 7.0], [2.0, 6.0, 1.0], [1.0, 2.0, 3.0]])
-    found = turn_forces._merged(f, y, base, wide)
+    found = turn_forces._merge_turns(f, y, base, wide)
     expected = [[10.005, 10.2], [2.0, 7.0], [4.0, 1.0], [math.sqrt(5.0) / 2.0, 3.0]]
     np.testing.assert_allclose(np.array(found), expected)
 

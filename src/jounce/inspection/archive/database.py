@@ -1,4 +1,4 @@
-"""The database under a record store: made whole or not at all, looked at before anything is written into it."""
+"""The database of a record store: created completely or not at all, checked before anything is written."""
 
 from __future__ import annotations
 
@@ -252,7 +252,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
 
 
 def _make_tables(connection: Connection, location: str) -> None:
-    """Make the tables in a database of a server, unless others with one of their names are there."""
+    """Create the tables in a server's database, unless it has other tables of the same names."""
     if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
@@ -289,7 +289,7 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
 
 def _make(file: Path) -> None:
-    """Make an empty store beside its place and give it its name at the end: nobody ever sees half of it."""
+    """Create an empty store under a temporary name and rename it when complete: nobody sees half of it."""
     temporary = temporary_beside(file)
     engine = _sqlite(temporary, read_only=False)
     try:
@@ -333,7 +333,7 @@ def _give_name(made: Path, file: Path) -> None:
 
 
 def _write_through(folder: Path) -> None:
-    """Put the names in a folder on the disk, where the system can."""
+    """Flush the names of a folder to the disk, if the system can."""
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
@@ -347,7 +347,7 @@ def _log_of(file: Path) -> Path:
 
 
 def _check_file(file: Path) -> None:
-    """Refuse what is no SQLite file, or less than its first page says."""
+    """Refuse files that are not SQLite, or shorter than their first page states."""
     for attempt in range(3):
         has_log = _log_of(file).exists()
         with file.open("rb") as stream:

@@ -1,4 +1,4 @@
-"""What goes into the record store and what comes out of it; the signals packed without losing a bit."""
+"""Entries of the record store; their signals are packed without loss."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _NO_TEXT = re.compile("[\0\ud800-\udfff]")
 
 @dataclass(frozen=True)
 class RecordEntry:
-    """What comes in: the file as it is, and what is known of it."""
+    """A record to store: its original file, and the known facts."""
 
     name: str
     content: bytes = field(repr=False)
@@ -57,7 +57,7 @@ def digest_of(content: bytes, sidecar: bytes | None) -> str:
 
 
 def storable(text: str) -> str:
-    r"""Text that every database takes: replacement characters stand for NUL and for bytes of names that are no text.
+    r"""Text that every database accepts: NUL and bytes that cannot be decoded become replacement characters.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def storable(text: str) -> str:
 
 
 def plate_key(plate: str) -> str:
-    """Number plate as it is compared: letters and digits in capitals.
+    """Number plate in the form used for comparison: capital letters and digits.
 
     Examples
     --------
@@ -90,7 +90,7 @@ class Grading:
 
 @dataclass(frozen=True)
 class StoredRecord:
-    """A record as it lies in the store, with its newest grading."""
+    """A stored record with its newest grading."""
 
     number: int
     name: str
@@ -110,7 +110,7 @@ _LARGEST = 2**31 - 1
 
 
 def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
-    """Pack a recording, in SI and with plain attributes, with what its reader found.
+    """Pack a recording, in SI and with plain attributes, with the findings of its reader.
 
     ``unpack`` gives the very same numbers: decimal columns are kept as integers, others as they are.
 
@@ -139,7 +139,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
 
 
 def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
-    """Give back what was packed; raises RecordingError for bytes that are damaged or of another version."""
+    """Unpack a recording and its findings; raises RecordingError for damaged bytes or another version."""
     from jounce.recordings.schema import recording_of
 
     try:

@@ -102,7 +102,7 @@ def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
 
 
 def day_number(text: str) -> int | None:
-    """Give the number of a day that is written as ISO 8601 says; None for other text."""
+    """Give the ordinal of a day in ISO 8601; None for other text."""
     try:
         return date.fromisoformat(text).toordinal()
     except ValueError:

@@ -35,7 +35,7 @@ _HEADER_BYTES = 65536
 
 @dataclass(frozen=True)
 class InspectedRecord:
-    """A record with what came of it."""
+    """A record with its evaluation and grading."""
 
     path: Path  # its file
     record: xr.Dataset  # plate heights (m) and forces (N) on ``time`` (s)
@@ -93,7 +93,7 @@ def inspect_record(
 
 
 def _without_repeats(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
-    """Findings of the reading, without those of wheels that were not tested, then the others of the evaluation."""
+    """Findings of reader and evaluation without repeats; those of wheels that were not tested are left out."""
     unused = [f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)]
     read = [item for item in findings if not any(side in item.place for side in unused)]
     places = {item.place for wheel in inspection.wheels for item in wheel.findings if _is_of_clipping(item)}
@@ -180,7 +180,7 @@ def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
 
 @dataclass(frozen=True)
 class ImportedRecord:
-    """What became of a file that came in."""
+    """Outcome of an import."""
 
     file: str
     number: int  # of the record in the store
@@ -284,13 +284,13 @@ def _describe_known(file: str, number: int, store: Store) -> ImportedRecord:
 
 
 def warnings_of(grading: Grading) -> int:
-    """Count the findings of a record and its wheels that weaken values, as a tyre that leaves the plate."""
+    """Count the findings that weaken values of a record or its wheels, such as a tyre leaving the plate."""
     places = [grading.result, *grading.result.get("wheels", [])]
     return sum(item["severity"] == "warning" for place in places for item in place.get("findings", []))
 
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
-    """Take the tester that the header names where none is given; nothing is guessed."""
+    """Use the tester that the header names if none is given; nothing is guessed."""
     if tester is not None:
         return entry
     shipped = {
@@ -311,7 +311,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
 
 
 def _evaluate(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
-    """Evaluate the very bytes of an entry; gives it with its signals."""
+    """Evaluate the stored bytes of an entry; return it with its signals."""
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)
     inspection = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
@@ -358,7 +358,7 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
 
 
 def _file_name(name: str) -> str:
-    """A name for a file of an entry: its own, unless a store gives one that no file can have."""
+    """File name of an entry: its own, if a file can have it."""
     own = Path(name.replace("\0", "")).name
     return own if own not in ("", "..") and len(os.fsencode(own)) < _LONGEST_NAME else f"record{Path(own).suffix[:16]}"
 

@@ -33,7 +33,7 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA
 
 @dataclass(frozen=True)
 class Reevaluation:
-    """What came of evaluating all records again."""
+    """Outcome of evaluating all records again."""
 
     records: int
     added: int = 0  # new gradings
@@ -101,7 +101,7 @@ class _Reevaluation:
 
 @contextmanager
 def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Outcome]]]:
-    """Give what comes of the batches, in their order, as it comes."""
+    """Give the outcomes of the batches in order, as they are finished."""
     if workers <= 1:
         store = Store(task.address, read_only=True)
         yield (_work_on(store, task, batch) for batch in batches)
@@ -158,7 +158,7 @@ def _work_on(store: Store, task: _Reevaluation, batch: list[int]) -> list[_Outco
 
 
 def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outcome:
-    """Evaluate one record again; whatever it meets, the others go on."""
+    """Evaluate one record again; its failure does not stop the others."""
     try:
         newest = store.newest_grading(number)
         entry = store.entry(number)

@@ -217,7 +217,7 @@ class Store:
             return [_record_of_row(row, _grading(row)) for row in rows]
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
-        """Give the records that can be read of a damaged store, row by row, and what was in the way of the others."""
+        """Read a damaged store row by row: give the readable records, and the errors of the others."""
         lost: list[str] = []
         gradings: dict[int, Grading] = {}
         for row in self._rows(select(*_RESULT_COLUMNS), RESULTS.c.number, lost):
@@ -236,7 +236,7 @@ class Store:
         return records, lost
 
     def _rows(self, asked: Select[Any], number: Column[int], lost: list[str]) -> Iterator[Any]:
-        """Rows by their number, one by one, without any index, until there is nothing for long."""
+        """Rows by number, one by one, without any index, until a long gap."""
         at = missing = 0
         unread: list[int] = []
         while missing < _GAP:
@@ -290,7 +290,7 @@ class Store:
             return {row.path: (row.size, row.modified) for row in rows}
 
     def problems(self) -> list[str]:
-        """Check the whole store, every record byte by byte; give what is damaged, nothing for a sound one."""
+        """Check the whole store, every record byte by byte; list the damage, which is empty for a sound store."""
         with self._reading() as connection:
             problems = problems_of(connection)
         for number in self.numbers():
@@ -303,7 +303,7 @@ class Store:
         return problems
 
     def close(self) -> None:
-        """Let go of the database."""
+        """Close the connection to the database."""
         self._engine.dispose()
 
     @contextmanager
@@ -349,7 +349,7 @@ def _storable(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _seal(*parts: object) -> str:
-    """Checksum of what is read without its file: a flipped bit must not become another verdict."""
+    """Checksum of the columns that are read without the file: a flipped bit must not become another verdict."""
     return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
 
 

@@ -43,7 +43,7 @@ def record_suffixes() -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Seen:
-    """What became of a file of the folder."""
+    """Outcome of a file of the folder."""
 
     file: Path  # where it is, and stays
     imported: ImportedRecord | None  # what is in the store; None where the file could not be read
@@ -51,7 +51,7 @@ class Seen:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse what is no folder: before a store is made that nobody asked for."""
+    """Refuse anything but a folder, before a store is created for it."""
     if not folder.is_dir():
         what = "a file, not a folder" if folder.exists() else "no such folder"
         raise JounceError(what, where=str(folder), hint="Check the path and the name.")
@@ -153,7 +153,7 @@ class FolderWatch:
         return seen
 
     def _import(self, file: Path) -> Seen | None:
-        """What becomes of a file; None for jounce's own output."""
+        """Import a file; None for jounce's own output."""
         try:
             existing_file(file, RecordingError)  # a pipe would keep everything waiting
             if _is_own_output(file):

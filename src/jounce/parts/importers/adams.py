@@ -280,7 +280,7 @@ class _Subsystem:
         return bodies
 
     def _body(self, name: str, part: Block) -> dict[str, Any]:
-        """Mass, centre and inertia of a part in our axes; dependent frames stand in comments."""
+        """Mass, centre and inertia of a part in our axes; dependent frames are given in comments."""
         texts = {}
         for comment in part.comments:
             if match := _POINT.search(comment):
@@ -321,7 +321,7 @@ class _Subsystem:
         return as_table(mass, _OURS @ centre, 0.5 * (tensor + tensor.T))
 
     def _estimate_body(self, name: str, mass: float | None = None) -> dict[str, Any]:
-        """A body of estimated inertia (and mass): a ball as large as its points are apart, in their middle."""
+        """Table of a body with estimated inertia (and mass): a ball around the middle of its points."""
         places = np.array([self.points[point] for point in _CORNERS.get(name, ()) if point in self.points])
         if not len(places):
             places = np.array([self.points[end] for end in ("tie_rod_inner", "tie_rod_outer") if end in self.points])
@@ -345,7 +345,7 @@ class _Subsystem:
         return chosen
 
     def _property(self, block: Block | None) -> Path | None:
-        """Property file of an element, beside the subsystem or in the tables of its database; None where it is not."""
+        """Property file of an element, next to the subsystem or in the tables of its database; None if missing."""
         text = "" if block is None else block.values.get("PROPERTY_FILE", "")
         parts = [part for part in PureWindowsPath(text).parts if not re.fullmatch(r"<.*>|\W*|\w+://.*", part)]
         if not parts or ".." in parts:
@@ -442,7 +442,7 @@ class _Subsystem:
         return bushings
 
     def _note_rest(self) -> None:
-        """What the file holds and the rig does not."""
+        """Note what the file contains and the rig does not use."""
         bushings = {block.usage for block in self.file.blocks_of("BUSHING_ASSEMBLY") if block.where not in self._used}
         if bushings:
             names = ", ".join(sorted(bushings))

@@ -348,7 +348,7 @@ def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
 
 
 def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]) -> None:
-    """What the file holds and the rig does not, and what is taken for granted about every file."""
+    """Note what the file contains and the rig does not, and what is assumed about every file."""
     file = reading.file
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}
     unread = [section for section in file.table if section not in read]

@@ -1,4 +1,4 @@
-"""Rigs while they are put together from files of other programs: what is missing is estimated, and named."""
+"""Rigs being assembled from files of other programs; missing values are estimated and listed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 
 @dataclass
 class Draft:
-    """What is said of a rig while it is put together: findings, and the paths of what was estimated."""
+    """Notes on a rig being assembled: findings, and the paths of estimated values."""
 
     path: Path
     findings: list[Finding] = field(default_factory=list)
@@ -45,7 +45,7 @@ def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
 
 
 def join_bodies(body: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
-    """Table of a body and another one that is fixed to it (kg, m, kg m^2)."""
+    """Join a body and another mass fixed to it into one table (kg, m, kg m^2)."""
     masses, centres = (body["mass"], mass), (np.array(body["centre_of_mass"]), centre)
     whole = masses[0] + masses[1]
     middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
@@ -69,7 +69,7 @@ def add_wheel(
     angles: dict[str, float],
     given: tuple[float | None, float | None, float | None],
 ) -> None:
-    """Wheel, tyre and the body that turns with them; what is not given (radius, mass, stiffness) is estimated.
+    """Add wheel, tyre and the body that turns with them; estimate missing values (radius, mass, stiffness).
 
     ``spindle`` is the table of what turns beside rim and tyre, ``angles`` holds camber and toe (rad).
     """
@@ -105,7 +105,7 @@ def set_on_the_road(draft: Draft, table: dict[str, Any], sprung_mass: float | No
 
 
 def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
-    """Sprung mass in kg that spring and stops hold at design position, or the general estimate."""
+    """Estimate the sprung mass (kg) that spring and stops carry at design; else take the default."""
     try:
         ratio = motion_ratio(rig)
         mass = SPRUNG_MASS + (spring_force(rig) - static_spring_force(rig)) * ratio / rig.gravity

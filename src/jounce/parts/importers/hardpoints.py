@@ -363,7 +363,7 @@ def _plain(name: str) -> str:
 
 
 def _sort_out(name: str) -> tuple[str, str, str]:
-    """Plain name without what says its corner, axle and side.
+    """Separate axle and side from the plain name of a point.
 
     >>> _sort_out("CHAS_LowFor_L"), _sort_out("hpr_lca_front"), _sort_out("Left tie rod inner")
     (('chas low for', '', 'left'), ('lca front', '', 'right'), ('tie rod inner', '', 'left'))
@@ -396,13 +396,13 @@ def known_names() -> dict[str, str]:
 
 
 def _required_points(model: str) -> list[str]:
-    """Points that a suspension cannot do without."""
+    """Required points of a suspension model."""
     points: Any = RIGS[model].model_fields["hardpoints"].annotation
     return [name for name, info in points.model_fields.items() if info.is_required()]
 
 
 def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
-    """Points that it needs and has not; a strut has two ends or none."""
+    """Required points that are missing; a strut needs both ends or neither."""
     needed = [*_required_points(model), *(_STRUT if any(end in points for end in _STRUT) else ())]
     return [name for name in dict.fromkeys(needed) if name not in points]
 
@@ -503,7 +503,7 @@ class PointReading:
     def rig(
         self, unit: str | None, axes: str | None, model: str | None, wheel_radius: float | None, source: str | None
     ) -> tuple[Corner, list[Finding], str]:
-        """The rig, what there is to say about it, and its file."""
+        """The rig, its findings, and its file."""
         if wheel_radius is not None and not wheel_radius > 0.0:
             raise DescriptionError("out of range", where="wheel_radius", found=wheel_radius, allowed="above 0")
         name = self.model_of(model)
@@ -705,7 +705,7 @@ class PointReading:
         self.points = {name: point + np.array([0.0, 0.0, height]) for name, point in self.points.items()}
 
     def strut(self, model: str) -> dict[str, str]:
-        """Which body carries the strut, or the push rod: the arm that its end is nearest to."""
+        """Body that carries the strut or push rod: the arm nearest to its end."""
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
         if end not in self.points:
             return {}

@@ -155,7 +155,7 @@ class _Tree:
     # --- the tree
 
     def _keep_defaults(self, element: ET.Element, above: str, depth: int) -> None:
-        """Attributes of elements by class and tag; classes within a class begin with what it says."""
+        """Store attributes of elements by class and tag; nested classes inherit from the outer class."""
         if depth > _DEEPEST:
             raise self._refusal("classes nested too deeply", depth, f"up to {_DEEPEST}")
         own = {tag: dict(given) for tag, given in self._defaults[above].items()}
@@ -198,7 +198,7 @@ class _Tree:
                 )
 
     def _ours(self, name: str) -> str:
-        """Our name of a point, or nothing."""
+        """Our name of a point; empty if unknown."""
         return self.names.get(name, self._known.get(" ".join(name.lower().replace("_", " ").split()), ""))
 
     def _add_site(self, child: ET.Element, here: _Body, inherited: str) -> None:
@@ -294,7 +294,7 @@ class _Tree:
     # --- points
 
     def _balls(self) -> Iterator[_Ball]:
-        """Two bodies and the point at which they stay together: ball joints and connections."""
+        """Pairs of bodies with the point that joins them: ball joints and connections."""
         for body in self.bodies.values():
             for _, kind, place, _ in body.joints:
                 if kind == "ball":
@@ -381,7 +381,7 @@ class _Tree:
                 return
 
     def _rods(self) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
-        """Tendons whose length is held."""
+        """Tendons of constant length."""
         tendons = self._tendons()
         for equality in self.root.iter("equality"):
             for held in equality.iter("tendon"):
@@ -406,7 +406,7 @@ class _Tree:
     def rig(
         self, model: str | None, wheel_radius: float | None, sprung_mass: float | None, source: str | None
     ) -> tuple[Corner, list[Finding], str]:
-        """The rig, what there is to say about it, and its file."""
+        """The rig, its findings, and its file."""
         table = self.table()
         if not table.rows:
             raise self._refusal("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
@@ -444,7 +444,7 @@ class _Tree:
         tyre: dict[str, Any] | None,
         sprung_mass: float | None,
     ) -> dict[str, Any] | None:
-        """Masses, strut and tyre; None where the file does not hold them."""
+        """Masses, strut and tyre; None if the file lacks them."""
         kind = RIGS[rig.model]  # type: ignore[attr-defined]
         assert issubclass(kind, Corner)
         masses = {name: body.mass for name, body in self.bodies.items() if body.mass is not None}
@@ -538,7 +538,7 @@ def _is_zero(text: str) -> bool:
 
 
 def _mirror_mass(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
-    """Mass properties mirrored and moved."""
+    """Mirror and move mass properties."""
     centre = flip @ np.array(table["centre_of_mass"]) + up
     return as_table(table["mass"], centre, flip @ tensor_of(table) @ flip)
 

@@ -43,7 +43,7 @@ class PointRow:
 
 @dataclass
 class PointTable:
-    """What a file holds: rows, the unit that it names, and lines with numbers that are no points.
+    """Contents of a file: rows, the unit it names, and lines with numbers that are not points.
 
     A row named `AXLE_END` lies on the wheel's axis; ``radius`` is that of a tyre that ends at the road (m), by axle
     where the file has two; ``carrier`` the body that carries strut or push rod; ``estimated`` are hardpoints that were

@@ -70,7 +70,7 @@ class Block:
 
 
 def number(text: str, where: str) -> float:
-    """A finite number from text, or what was found in its place."""
+    """Parse a finite number; refuse anything else."""
     try:
         value = float(text.lower().replace("d", "e"))
     except ValueError:

@@ -57,7 +57,7 @@ def motion_of(
     title: str = "",
     say: Callable[[str], None] = lambda _text: None,
 ) -> Animation:
-    """Take what an animation shows of a sweep or a run: a part of it, and of that no more poses than ``most``.
+    """Select the part of a sweep or a run that an animation shows, in no more poses than ``most``.
 
     ``most`` is asked with the time (s) that a film of it plays; the other arguments are those of
     :func:`jounce.animate`.

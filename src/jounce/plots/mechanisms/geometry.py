@@ -208,7 +208,7 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
 
 
 def _construction(axes: Axes, name: str, view: View, geometry: _Centres, *, strong: bool) -> None:
-    """Draw what the mechanism turns about in one view."""
+    """Draw instant centre, roll centre and steering axis in one view."""
     pose = geometry.pose
     style: dict[str, Any] = {"linewidth": 0.7, "zorder": 1.2}
     colours = (_OTHER,) * 3

@@ -176,7 +176,7 @@ def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
 
 
 def _label_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
-    """Write sizes of forces beside the free ends of their arrows, the largest first, none over another."""
+    """Write the sizes of forces beside the free ends of their arrows, the largest first, without overlaps."""
     from matplotlib.patheffects import withStroke
 
     unit = shown_as("kN")

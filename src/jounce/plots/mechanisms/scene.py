@@ -1,4 +1,4 @@
-"""What there is to draw of a 3-D rig: its parts, its poses in a sweep or a run, the road under its wheel."""
+"""Scene of a 3-D rig: its parts, its poses in a sweep or a run, the road under its wheel."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class Bracket:
 
 @dataclass(frozen=True)
 class Scene:
-    """What does not change from pose to pose; lengths in m."""
+    """Parts of a drawing that are the same in every pose; lengths in m."""
 
     title: str
     side: float  # 1 on the left, -1 on the right
