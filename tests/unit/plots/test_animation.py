@@ -289,7 +289,7 @@ def test_tyre_leaves_the_road_in_the_film(kart, run, trial) -> None:
     scene = scene_of(kart)
     poses = poses_of(kart, scene, run)
     film = films._Film(
-        films.Motion(scene, poses, roadway_of(trial, poses.over, scene.undeformed_radius), "kart", 5.0, print)
+        films.Animation(scene, poses, roadway_of(trial, poses.over, scene.undeformed_radius), "kart", 5.0, print)
     )
     flying, standing = int(np.argmin(poses.touches)), 0
     for k, words in ((standing, "time 0.000 s"), (flying, f"no contact · {poses.label(flying)}")):

@@ -329,4 +329,8 @@ def test_a_centre_that_lies_nowhere_has_no_height() -> None:
         scene_of(jn.load("formula-student-front")), {**rows, "instant_centre_z": 0.1, "camber": 0.02}, {}
     )
     assert kinematic_value("side_instant_centre_z", centres.value_to_show("side_instant_centre_z"), "m") == "parallel"
-    assert [centres.value_to_show(name) for name in ("instant_centre_z", "instant_centre_y", "camber")] == [0.1, -1.5, 0.02]
+    assert [centres.value_to_show(name) for name in ("instant_centre_z", "instant_centre_y", "camber")] == [
+        0.1,
+        -1.5,
+        0.02,
+    ]
