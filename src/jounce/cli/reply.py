@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from jounce.cli.tables import FittedTable
 from jounce.core.errors import JounceError
 from jounce.core.findings import DrawingError
-from jounce.core.text import ESCAPES, encodable, visible
+from jounce.core.text import ESCAPES, encodable, listed_places, visible
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -340,5 +340,5 @@ def show_findings(out: Console, findings: Iterable[Finding]) -> None:
         places.setdefault((finding.severity, finding.message), []).append(finding.place)
     for (severity, message), where in places.items():
         line = Text(f"{severity}: ", style=SEVERITY_STYLES[severity])
-        line.append(f"{', '.join(dict.fromkeys(where))}: {message}", style="default")
+        line.append(f"{listed_places(list(dict.fromkeys(where)))}: {message}", style="default")
         out.print(line, soft_wrap=not out.is_terminal)

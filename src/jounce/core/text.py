@@ -134,3 +134,17 @@ def slug(text: str) -> str:
     """
     plain = normalize("NFKD", text.replace("ß", "ss")).encode("ascii", "ignore").decode()
     return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:80].rstrip("-") or "unnamed"
+
+
+_MOST_PLACES = 6
+
+
+def listed_places(places: list[str]) -> str:
+    """List the places that a sentence is about; of very many the first.
+
+    >>> listed_places(["trial 1", "trial 2"]), listed_places([f"trial {n}" for n in range(1, 17)])
+    ('trial 1, trial 2', 'trial 1, trial 2, trial 3, trial 4, trial 5, trial 6 and 10 more')
+    """
+    more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
+    mark = "; " if any(", " in place for place in places) else ", "
+    return mark.join(places[:_MOST_PLACES]) + more

@@ -206,13 +206,14 @@ def _over_a_turn(seen: Array, distance: Array, per_turn: int) -> Array:
 _VARIES = 3.0  # resolutions: what sampling alone exceeds in one of 400 records
 _STEADY = 0.002  # share of the speed by which a belt on an inverter swings at least
 _MANY = 0.1  # share of missing pulses from which on the sensor should be looked at
+_WORTH_A_WORD = 0.005  # share of missing and double pulses: sensors lose or double a few, and those are corrected
 
 
 def _findings(
     missing: int, doubled: int, count: int, variation: float, resolution: float, mean: float, where: str
 ) -> list[Finding]:
     findings = []
-    if missing or doubled:
+    if missing + doubled > _WORTH_A_WORD * count:
         severity: Severity = "warning" if missing > _MANY * count else "note"
         findings.append(
             finding(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.display import display_unit
 from jounce.core.findings import Finding, not_drawn
-from jounce.core.text import slug
+from jounce.core.text import listed_places, slug
 from jounce.plots.display import number, raised
 
 if TYPE_CHECKING:
@@ -342,7 +342,6 @@ def unique_slugs(names: Sequence[str]) -> list[str]:
 
 
 _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
-_MOST_PLACES = 6
 
 
 def alignments(table: PageTable) -> list[str]:
@@ -365,13 +364,7 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
     shown = list(messages.items())[: findings.most]
     result = []
     for severity, heading in _SEVERITIES.items():
-        rows = [(_places(places), as_printed(message)) for (kind, message), places in shown if kind == severity]
+        rows = [(listed_places(places), as_printed(message)) for (kind, message), places in shown if kind == severity]
         if rows:
             result.append((severity, heading, rows))
     return result
-
-
-def _places(places: list[str]) -> str:
-    more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
-    mark = "; " if any(", " in place for place in places) else ", "
-    return mark.join(places[:_MOST_PLACES]) + more
