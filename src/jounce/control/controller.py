@@ -193,7 +193,7 @@ def or_default(value: float | None, default: float) -> float:
 
 
 def controller(name: str | Path, **changes: Any) -> Controller:
-    """Give a controller by its name, or from a TOML file.
+    """Return a controller by its name, or from a TOML file.
 
     Parameters
     ----------
@@ -310,7 +310,7 @@ class CallbackController(Controller):
         return f"control: {self.name}"
 
     def regulator(self, setting: RunSetting) -> Regulator:
-        """Give what the loop calls."""
+        """Return the object that the loop calls."""
         raise NotImplementedError
 
 
@@ -339,7 +339,7 @@ class PythonControl(CallbackController):
     actuator: Actuator = SemiActiveDamper()
 
     def regulator(self, setting: RunSetting) -> Regulator:
-        """Give what the loop calls."""
+        """Return the object that the loop calls."""
         return _OwnFunction(self.function, setting)
 
 

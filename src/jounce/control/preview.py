@@ -68,7 +68,7 @@ class PreviewMPC(CallbackController):
     needs_wheel: ClassVar[bool] = True
 
     def regulator(self, setting: RunSetting) -> Regulator:
-        """Give what the loop calls."""
+        """Return the object that the loop calls."""
         return _Planner(self, setting)
 
 
@@ -245,7 +245,7 @@ class _Plan:
         self._own = F @ self._own + H * command * self._corner.motion_ratio
 
     def command(self, values: list[float], instant: int) -> float:
-        """Command of an instant from what is measured."""
+        """Command of an instant from its measurements."""
         r, horizon, n = self._corner.motion_ratio, self._horizon, self._steps
         deflection, body, tyre, wheel, velocity = values
         x = np.array([-deflection / r, body, -tyre, wheel, *self._own])

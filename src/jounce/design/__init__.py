@@ -1,1 +1,1 @@
-"""Design: springs, dampers and other numbers from what a rig shall do; adjustments; models made simpler."""
+"""Design: springs, dampers and other parameters from requirements; adjustments; simpler models."""

@@ -51,7 +51,7 @@ class Adjustment(Plain):
         return f" with {made}" if made else ""
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         report = self.report
         effects = [
             {**to_plain(effect), "text": SETTINGS[effect.setting].text, "source": SETTINGS[effect.setting].source}

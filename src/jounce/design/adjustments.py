@@ -51,7 +51,7 @@ QUANTITIES: Mapping[str, str] = {
     "ride_height": "m",
     "wheel_rate": "N/m",
 }
-"""What is reported, with its SI unit."""
+"""Reported quantities, with their SI units."""
 OVER_TRAVEL: Mapping[str, str] = {
     "camber": "rad",
     "toe": "rad",
@@ -59,7 +59,7 @@ OVER_TRAVEL: Mapping[str, str] = {
     "motion_ratio": "1",
     "wheel_rate": "N/m",
 }
-"""What is reported over travel, with its SI unit: what arms of another length change shows away from design only."""
+"""Quantities reported over travel, with their SI units: arms of another length change the wheel only off design."""
 _TRAVELS = (-0.03, -0.015, 0.0, 0.015, 0.03)  # m
 _STEP = 1e-3
 """Share of a setting's range over which its effect per unit is taken."""
@@ -70,7 +70,7 @@ _ROUNDS = 30
 
 @dataclass(frozen=True)
 class WheelState:
-    """How the wheel stands. Angles and roll centre at design height; ride height and wheel rate at rest. SI.
+    """Wheel alignment, SI: angles and roll centre at design height; ride height and wheel rate at rest.
 
     Attributes
     ----------
@@ -156,7 +156,7 @@ _LENGTHS = ("lower_arm_length", "upper_arm_length", "tie_rod_length")
 
 @dataclass(frozen=True)
 class Lengths(Shown):
-    """Lengthenings that reach a camber and a toe, m, and what they reach, rad.
+    """Changes of length for a wanted camber and toe, m, and the angles that they reach, rad.
 
     ``others`` are those of what a double wishbone does not have: a strut's top mount, links.
     """
@@ -175,7 +175,7 @@ class Lengths(Shown):
 
 
 def wheel_state(rig: Corner) -> WheelState:
-    """Give how the wheel of a corner stands."""
+    """Return the wheel alignment of a corner."""
     if rig.guide == "fixed":
         ride, travel = None, 0.0
     else:

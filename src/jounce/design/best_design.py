@@ -31,7 +31,7 @@ _BESIDE = ("free", "objective", "limit", "set", "duration", "band")
 
 @dataclass(frozen=True)
 class BestDesign(Plain):
-    """What a search for the best design found.
+    """Result of a search for the best design.
 
     Attributes
     ----------
@@ -55,21 +55,21 @@ class BestDesign(Plain):
 
     @property
     def aim(self) -> str:
-        """What was minimised, in words."""
+        """Objective in words."""
         return ", ".join(self.found.objective) if isinstance(self.found, Optimisation) else ""
 
     @property
     def driven(self) -> str:
-        """What was driven over, in words."""
+        """Road or cases in words."""
         return self.found.driven
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What to know of it."""
+        """Findings of the search."""
         return self.found.findings
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         named = {"rig": self.of, "set": {}, "study": self.study} if self.study else {}
         return {**named, **self.found.to_dict()}
 

@@ -1,4 +1,4 @@
-"""Designs judged by several cases at once: random roads, trials and kinematics, over a spread of what is built.
+"""Designs evaluated by several cases at once: random roads, trials and kinematics, over a spread of the parts.
 
 A metric is written with its case before it, ``"rough: sprung.az weighted"``, and with a statistic where numbers are
 spread: ``"rough: p95 tyre.force coefficient"``. All designs are judged over the same samples, so that differences
@@ -65,7 +65,7 @@ class KinematicEvaluator:
         return False
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: value and slopes, SI."""
+        """Return every metric by its text: value and slopes, SI."""
         here = self._numbers(values)
         slopes = np.zeros((len(values), len(here)))
         for i, step in enumerate(self.steps):
@@ -101,7 +101,7 @@ class OneByOne:
         return all(evaluator.is_exact for evaluator in self.evaluators)
 
     def each(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric for values (samples, numbers): (samples, channels), (samples, numbers, channels), SI."""
+        """Return every metric for values (samples, numbers): (samples, channels), (samples, numbers, channels), SI."""
         samples = [evaluator.at(sample) for evaluator, sample in zip(self.evaluators, values, strict=True)]
         return {
             text: (
@@ -134,7 +134,7 @@ class CasesEvaluator:
         return any(statistic != "mean" for _, _, statistic in self.wanted.values())
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: values of its channels and their slopes, SI."""
+        """Return every metric by its text: values of its channels and their slopes, SI."""
         judged = {case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()}
         metrics = {}
         for text, (case, inner, statistic) in self.wanted.items():

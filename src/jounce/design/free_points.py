@@ -1,4 +1,4 @@
-"""What a search for hardpoints may move: numbers of one rig or of several, tied, on lines, within boxes."""
+"""Free numbers of a search for hardpoints: of one rig or of several, tied, on lines, within boxes."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class KinematicFront(Plain):
     left_out = ("start",)
 
     def rigs(self, k: int) -> dict[str, Corner]:
-        """Give the rigs of a design by their names, counted from 0; one alone has the name ''."""
+        """Return the rigs of design ``k`` (from 0) by name; a single rig has the name ''."""
         rigs = {}
         for name, rig in self.start.items():
             head = f"{name}." if name else ""
@@ -83,7 +83,7 @@ class KinematicFront(Plain):
         return rigs
 
     def table(self) -> str:
-        """Give the front as CSV: a row a design, goals in tolerances, numbers in SI."""
+        """Return the front as CSV: one row per design, goals in tolerances, numbers in SI."""
         rows = [",".join(("design", *(f"{name} [tolerances]" for name in self.goals), *self.before.moved, "met"))]
         labels = ["before", *(str(k + 1) for k in range(len(self.designs)))]
         for label, design in zip(labels, (self.before, *self.designs), strict=True):

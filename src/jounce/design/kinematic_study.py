@@ -1,4 +1,4 @@
-"""What a designer of a suspension asks: points that may move, curves that are wanted, limits that must hold."""
+"""Studies of hardpoints: points that may move, wanted curves, limits that must hold."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
 
 NAME = r"[A-Za-z][\w-]*"
-"""What a rig of a study of several may be called: a file gets the name, and paths begin with it."""
+"""Names of rigs in a study of several: files are named after them, and paths begin with them."""
 SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
 Quantitative = Any
 """A text with a unit, or a number in SI: which unit it has is known where the quantity is."""

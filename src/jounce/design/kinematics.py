@@ -78,26 +78,26 @@ class TargetResult(Plain):
     right: str = ""
 
     def bounds(self) -> tuple[Array, Array]:
-        """Give the least and the greatest value wanted at each pose, SI; infinite where there is no limit."""
+        """Return the lowest and the highest value wanted at each pose, SI; infinite where there is no limit."""
         low, high = self.wanted if self.limits else (self.wanted, self.wanted)
         ends = (-np.inf if low is None else low, np.inf if high is None else high)
         count = np.size(self.after)
         return tuple(np.broadcast_to(np.array(end, dtype=float), (count,)) for end in ends)  # type: ignore[return-value]
 
     def off(self, values: Array) -> Array:
-        """Give how far values are above (positive) or below what is wanted, in tolerances [1]."""
+        """Return how far values are above (positive) or below the target, in tolerances [1]."""
         low, high = self.bounds()
         return np.asarray(np.where(values > high, values - high, np.minimum(values - low, 0.0)) / self.tolerance)
 
     def worst(self, values: float | list[float]) -> tuple[int, float]:
-        """Give which of the values is farthest from what is wanted, and how far above (positive) or below it, SI."""
+        """Return the index of the value farthest from the target, and how far above (positive) or below it is, SI."""
         each = np.atleast_1d(np.array(values, dtype=float))
         low, high = self.bounds()
         k = int(np.argmax(np.maximum(low - each, each - high)))
         return k, float(self.off(each)[k] * self.tolerance)
 
     def pose(self, k: int) -> str:
-        """Where a value stands, in the unit that is shown: ``-30 mm``; of a slope the whole range."""
+        """Pose of a value, in the unit that is shown: ``-30 mm``; of a slope the whole range."""
         unit = display_unit("rad" if self.along == "roll" else "m")
         ends = [self.at[k]] if len(self.at) == np.size(self.after) else [self.at[0], self.at[-1]]
         text = " … ".join(f"{0.0 + round(end * unit.factor, 6):g}" for end in ends)
@@ -238,7 +238,7 @@ class KinematicDesign(Plain):
         return next(iter(self.rigs.values()))
 
     def before(self) -> dict[str, Corner]:
-        """Give the rigs that the search began with."""
+        """Return the rigs that the search began with."""
         rigs = {}
         for name, rig in self.rigs.items():
             head = f"{name}." if name else ""
@@ -249,17 +249,17 @@ class KinematicDesign(Plain):
         return rigs
 
     def fighting(self) -> tuple[Fight, ...]:
-        """Give each pair of targets that fight once: two that are missed both stand against each other."""
+        """Return each pair of competing targets once: two missed targets would appear twice."""
         pairs = {frozenset((fight.missed, fight.other)): fight for fight in reversed(self.fights)}
         return tuple(fight for fight in self.fights if pairs[frozenset((fight.missed, fight.other))] is fight)
 
     def results(self) -> dict[str, Any]:
-        """Give what ``results.json`` holds: met, targets, moved, starts, evaluations."""
+        """Return the content of ``results.json``: met, targets, moved, starts, evaluations."""
         plain = self.to_dict()
         return {name: plain[name] for name in ("met", "targets", "moved", "starts", "evaluations")}
 
     def sensitivity_table(self) -> str:
-        """Give the sensitivities as CSV: a row a coordinate, what 1 mm of it changes of each target, SI."""
+        """Return the sensitivities as CSV: one row per coordinate, the change of each target with 1 mm of it, SI."""
         heads = [_head(target, i, f" [{target.unit} per mm]") for i, target in enumerate(self.targets)]
         rows = [
             ",".join([path, *(repr(1e-3 * value) for value in values)]) for path, values in self.sensitivity.items()
@@ -267,13 +267,13 @@ class KinematicDesign(Plain):
         return "\n".join([",".join(["coordinate", *heads]), *rows, ""])
 
     def tradeoff_table(self) -> str:
-        """Give the trade-offs as CSV: a row what is asked more of, a column what moves, in tolerances [1]."""
+        """Return the trade-offs as CSV: one row per target that is improved, the response of all, in tolerances [1]."""
         heads = [_head(target, i) for i, target in enumerate(self.targets)]
         rows = [",".join([head, *map(repr, row)]) for head, row in zip(heads, self.tradeoffs, strict=True)]
         return "\n".join([",".join(["one tolerance more of", *heads]), *rows, ""])
 
     def identified_table(self) -> str:
-        """Give as CSV how well the curves tell each free number, SI; empty where they do not."""
+        """Return as CSV how well the curves determine each free number, SI; empty where they do not."""
         rows = [
             ",".join([row.number, row.unit, *("" if x is None else repr(x) for x in (row.alone, row.together))])
             for row in self.identified
@@ -281,7 +281,7 @@ class KinematicDesign(Plain):
         return "\n".join(["number,unit,alone,together", *rows, ""])
 
     def curve_table(self) -> str:
-        """Give all targets as CSV: a row a pose (SI) with the value before and after, what is wanted, its tolerance."""
+        """Return all targets as CSV: one row per pose (SI) with value before and after, target and tolerance."""
         rows = ["target,quantity,unit,along,at,before,after,wanted,tolerance"]
         for i, target in enumerate(self.targets):
             before, after = (value if isinstance(value, list) else [value] for value in (target.before, target.after))
@@ -296,7 +296,7 @@ class KinematicDesign(Plain):
 
 
 def _head(target: TargetResult, i: int | None = None, unit: str = "") -> str:
-    """Name of a target in a table of comma-separated values; its number tells those of one quantity apart."""
+    """Name of a target in a CSV table; its number distinguishes targets of the same quantity."""
     name = qualify(target.rig, target.quantity)
     text = name if i is None else f"{name} {i}{unit}"
     return f'"{text}"' if "," in text else text
@@ -534,7 +534,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
     return before
 
 
-# what is told ---------------------------------------------------------------------------------------------------------
+# results of a search --------------------------------------------------------------------------------------------------
 
 
 def moved_rigs(search: HardpointSearch, x: Array) -> dict[str, Corner]:

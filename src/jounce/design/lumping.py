@@ -220,7 +220,7 @@ def lump(rig: Rig) -> Lumping:
 
 
 def lumped_from(rig: Rig) -> QuarterCar:
-    """Give the quarter car equivalent to a corner about static equilibrium.
+    """Return the quarter car equivalent to a corner about static equilibrium.
 
     Parameters
     ----------

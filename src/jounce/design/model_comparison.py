@@ -93,7 +93,7 @@ class ModelComparison(Shown):
     peaks: tuple[PeakDifference, ...]
 
     def curves(self) -> xr.Dataset:
-        """Give motion ratio and wheel rate of both models against travel."""
+        """Return motion ratio and wheel rate of both models against travel."""
         import xarray as xr
 
         level = np.ones_like(self.travel)
@@ -212,7 +212,7 @@ def compare_peaks(name: str, spatial: Corner, lumped: QuarterCar, trial: Trial) 
 
 
 def without_friction(rig: R) -> R:
-    """Give the rig without dry friction."""
+    """Return the rig without dry friction."""
     table = rig.model_dump(by_alias=True, exclude_none=True)
     table["strut"].pop("friction", None)
     table.pop("guide_friction", None)
@@ -291,7 +291,7 @@ def _rows(
 
 
 def _damper_row(lumping: Lumping, ratio: float) -> list[ModelDifference]:
-    """Motion ratio of a damper that does not stand on the spring's line."""
+    """Motion ratio of a damper that is not on the spring's line of action."""
     if abs(lumping.damper_ratio - lumping.motion_ratio) < _SAME_LINE:
         return []
     why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
@@ -344,12 +344,12 @@ class LumpedComparison(Plain):
     title: str
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give quantities about rest, one row each."""
+        """Return quantities about rest, one row each."""
         rows: list[dict[str, Any]] = self.to_dict()["rows"]
         return rows
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the comparison as plain values, SI."""
+        """Return the comparison as plain values, SI."""
         return self.comparison.to_dict()
 
 

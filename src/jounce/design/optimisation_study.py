@@ -1,4 +1,4 @@
-"""A design task as a file: what may vary, what is wanted over which cases and spread, the best design or the front."""
+"""A design task as a file: free numbers, objectives over cases and spread, the best design or the front."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def check_optimisation(path: Path | str) -> tuple[OptimisationStudy, DesignProbl
 
 
 def run_optimisation(path: Path | str) -> Optimisation | ParetoFront | DesignFront:
-    """Search what a study file asks for.
+    """Run the search of a study file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The best design within bounds and limits: the search (SLSQP over scaled numbers), what it found and what holds it."""
+"""The best design within bounds and limits: the search (SLSQP over scaled numbers), its result and active limits."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Scale:
         self.is_log = (self.lower > 0.0) & (self.upper > _WIDE * np.maximum(self.lower, 1e-300))
 
     def values(self, u: Array) -> Array:
-        """Give SI values for scaled ones."""
+        """Convert scaled values to SI."""
         inside = np.clip(u, 0.0, 1.0)
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper, 1.0) / safe
@@ -81,7 +81,7 @@ class Scale:
         return np.asarray(np.where(self.is_log, self.values(u) * np.log(ratio), self.upper - self.lower))
 
     def normalise(self, values: Array) -> Array:
-        """Give scaled values for those in SI."""
+        """Convert SI values to scaled ones."""
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper / safe, math.e)
         logarithmic = np.log(np.where(self.is_log, values, 1.0) / safe) / np.log(ratio)
@@ -119,7 +119,7 @@ class _SlsqpProblem:
         return total, slopes
 
     def margins(self, z: Array) -> tuple[Array, Array]:
-        """What must not become negative, and its slopes (margins, variables)."""
+        """Margins that must not become negative, and their slopes (margins, variables)."""
         u, tops = z[: self.count], z[self.count :]
         values, chain = self.scale.values(u), self.scale.slopes(u)
         rows = [(margin, slope * chain, None) for _, _, _, margin, slope in self.problem.margins(values)]
@@ -572,7 +572,7 @@ def outcome(problem: DesignProblem, result: SearchResult) -> Optimisation:
 
 
 def driven_over(problem: DesignProblem) -> str:
-    """Say in words what a design is judged on."""
+    """Describe in words the road or the cases on which a design is evaluated."""
     if problem.driven:
         return problem.driven
     surface = problem.surface

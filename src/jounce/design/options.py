@@ -1,4 +1,4 @@
-"""How people give what several searches for designs share: design variables, limits, road, speed, band."""
+"""Options that several searches for designs share: design variables, limits, road, speed, band."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ class StationaryEvaluator:
         return reasons
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric of the one rig by its text: values of its channels and their slopes, SI."""
+        """Return every metric of the one rig by its text: values of its channels and their slopes, SI."""
         return {text: (numbers[0], slopes[0]) for text, (numbers, slopes) in self.each(values[None]).items()}
 
     def each(self, values: Array) -> dict[str, Numbers]:
@@ -241,7 +241,7 @@ class TrialEvaluator:
         return True
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: values of its channels and their slopes, SI."""
+        """Return every metric by its text: values of its channels and their slopes, SI."""
         from jounce.kernel.engine import Status
         from jounce.simulation.compiled import compile_rig
         from jounce.simulation.prepare import solve
@@ -294,7 +294,7 @@ class Judge(Protocol):
         """Whether its slopes are exact."""
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: values of its channels and their slopes, SI."""
+        """Return every metric by its text: values of its channels and their slopes, SI."""
 
 
 Evaluator = StationaryEvaluator | TrialEvaluator
@@ -324,7 +324,7 @@ LimitGiven = Bound | tuple[Bound, Bound] | list[Bound]
 
 @dataclass(frozen=True)
 class Limit:
-    """What a metric may be, in each of its channels or (``is_whole``) all together, SI; None where a side is open."""
+    """Limits of a metric, in each channel or (``is_whole``) of all together, SI; None where a side is open."""
 
     metric: Metric
     lower: float | None
@@ -334,7 +334,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A design task: the rig it starts from, what may vary, the weights of the objective and the limits.
+    """A design task: the rig to start from, free numbers, weights of the objective, and limits.
 
     ``metrics`` are all by their text; ``surface`` is the road of a stationary response, ``trial`` what is simulated
     otherwise; ``notes`` say what was decided on the way; ``base`` has the objective's metrics at the start, SI;
@@ -483,7 +483,7 @@ def read_weights(objective: Objective) -> dict[str, float]:
 
 
 def read_limit(metric: Metric, given: LimitGiven) -> Limit:
-    """Read what a metric may be."""
+    """Read the limits of a metric."""
     where = f"constraints: {metric.text}"
     if isinstance(given, (tuple, list)):
         if len(given) != 2:

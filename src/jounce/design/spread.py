@@ -64,7 +64,7 @@ class SpreadTarget(Plain):
 
 @dataclass(frozen=True)
 class AdjustmentNeed(Plain):
-    """What an adjustment must reach, m: 95 % of the cars lie between ``low`` and ``high``.
+    """Range that an adjustment needs, m: 95 % of the cars lie between ``low`` and ``high``.
 
     ``at_its_end`` is the share of the cars that need more than it has [1].
     """
@@ -76,7 +76,7 @@ class AdjustmentNeed(Plain):
 
 @dataclass(frozen=True)
 class KinematicSpread(Plain):
-    """What a spread of parts does to wanted curves.
+    """Effect of deviating parts on wanted curves.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ class KinematicSpread(Plain):
     findings: tuple[Finding, ...] = ()
 
     def table(self) -> str:
-        """Give all bands as CSV: a row a pose, SI."""
+        """Return all bands as CSV: one row per pose, SI."""
         names = ("drawn", "low", "high", "low_adjusted", "high_adjusted")
         rows = [",".join(("target", "quantity", "unit", "along", "at", *names))]
         for i, target in enumerate(self.targets):
@@ -123,7 +123,7 @@ def kinematic_spread(
     vehicle: AxleLayout | None = None,
     shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicSpread:
-    """Build many cars whose parts deviate, and tell what that does to wanted curves, as built and adjusted.
+    """Build many cars from deviating parts and evaluate the wanted curves, as built and after adjustment.
 
     Parameters
     ----------

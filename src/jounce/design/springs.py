@@ -30,7 +30,7 @@ from jounce.ride.closed_forms import (
 
 @dataclass(frozen=True)
 class WheelCarriage:
-    """What one wheel carries, and where its spring and damper stand in the description, SI.
+    """Masses and stiffnesses of one wheel, and the paths of its spring and damper, SI.
 
     ``place`` is ``front``, ``rear``, or empty for a quarter car; ``spring`` and ``damper`` are the paths of rate and
     coefficient; ``motion_ratio`` is spring travel over wheel travel (1); None where the model has no such part.
@@ -149,7 +149,7 @@ class SpringDesign(Shown):
         return {path: value for wheel in self.wheels for path, value in wheel.changes.items()}
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI; the rig by its changes."""
+        """Return plain values, SI; the rig by its changes."""
         return plain_table({name: getattr(self, name) for name in ("wheels", "with_tyre", "changes", "findings")})
 
 

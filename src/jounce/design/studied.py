@@ -40,7 +40,7 @@ class StudiedDesign(Plain):
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What is worth knowing."""
+        """Findings of the search."""
         return self.design.findings
 
     @property
@@ -49,11 +49,11 @@ class StudiedDesign(Plain):
         return next(iter(self.sources.values())).stem if len(self.sources) == 1 else self.study
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         return self.design.to_dict()
 
     def files(self) -> dict[str, bytes | str]:
-        """Give the rigs with their comments, the results, and tables, by the names of their files."""
+        """Return the rigs with their comments, the results, and tables, by file name."""
         design = self.design
         rigs = {
             f"{name or 'rig'}.toml": updated_text(self.sources[name].read_text(encoding="utf-8"), rig)

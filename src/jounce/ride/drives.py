@@ -187,7 +187,7 @@ def compare_controllers(
 
 
 def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
-    """Give controllers in the order given, each once; texts may name several, ``all`` stands for every one.
+    """Return controllers in the order given, each once; texts may name several, ``all`` stands for all of them.
 
     >>> named_controls(["passive, skyhook", "passive"])
     ['passive', 'skyhook']
@@ -203,7 +203,7 @@ def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
 def trial_over(
     rig: Rig, road: str, speed: float | str, duration: float | str | None = None, seed: int = 0
 ) -> RideTrial:
-    """Give the trial of a vehicle over a class of ISO 8608, a road file, or a road of the library."""
+    """Return the trial of a vehicle over a class of ISO 8608, a road file, or a road of the library."""
     if not is_class(road):
         return road_trial(rig, load_road(road), speed, duration=duration)
     name, own = class_and_seed(road)

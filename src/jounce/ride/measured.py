@@ -36,7 +36,7 @@ class MeasuredRide(Plain):
         return f"{self.metrics.duration:g} s at {self.metrics.sample_rate:g} Hz"
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI: metrics by name and place."""
+        """Return plain values, SI: metrics by name and place."""
         values: dict[str, dict[str, float]] = {}
         for item in self.metrics.values:
             values.setdefault(item.metric, {})[item.place] = item.value
@@ -75,7 +75,7 @@ def measured_ride(
         float | str, Number("Wheel load up to which a tyre counts as lifted.", "FORCE", "N")
     ] = 0.0,
 ) -> MeasuredRide:
-    """Give ride metrics of a measured (or simulated) record: weighted accelerations, travel, road holding.
+    """Compute ride metrics of a measured or simulated record: weighted accelerations, travel, road holding.
 
     Level and spectrum tell some of what can be wrong: filters, coarse steps, exchanged channels, m/s² called g.
 

@@ -350,7 +350,7 @@ def cross_spectrum(
 
 
 def independent_segments(samples: int, count: int, window: str) -> float:
-    """Give the number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
+    """Return the number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
     if window != "hann":
         return float(samples // count)
     pieces = (samples - count) // (count - count // 2) + 1

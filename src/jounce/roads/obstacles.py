@@ -218,7 +218,7 @@ class CircularSegment(Road):
     length: PositiveLength
 
     def check(self) -> None:
-        """Refuse what is more than half a cylinder."""
+        """Refuse more than half a cylinder."""
         if abs(self.height) > 0.5 * self.length * (1.0 + 1e-9):
             text = "height {height:g} m is more than a half-cylinder of length {length:g} m has"
             most = Phrase("up to {most:g} m", most=0.5 * self.length)
@@ -398,7 +398,7 @@ class Train(RoadOf):
         return repeat(self.of.profile(), self.count, self.pitch)
 
     def known_length(self) -> float:
-        """Distance in m up to which it is known: infinite if what it repeats is."""
+        """Distance in m up to which it is known: infinite if that of the obstacle is."""
         return math.inf if self.recurrence is not None or math.isinf(self.of.known_length()) else self.end()
 
 

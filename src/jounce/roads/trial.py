@@ -1,4 +1,4 @@
-"""Trials: what is driven over, how fast and how long, the manoeuvre loads, and what looks wrong in them."""
+"""Trials: road, speed, duration and manoeuvre loads, and findings about them."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from jounce.core.types import Array
 from jounce.core.units import Unit, to_si
 
 Spread = str | Sequence[float | str] | Mapping[str, float | str]
-"""Over what a number is spread: see :func:`sobol`."""
+"""Range or distribution of a number: see :func:`sobol`."""
 Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 MOST = 50_000_000  # variants: with ten parameters 4 GB
 """Variants of a design."""

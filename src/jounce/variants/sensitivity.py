@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _CONFIDENCE = (2.5, 97.5)  # percentiles
 _RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000
 _FEW = 16.0
-"""Rows drawn again from few lack what is rare: intervals are wider by the share of this in the number of rows.
+"""Few rows, drawn again, lack rare values: intervals are widened by this over the number of rows.
 
 Of the closed forms of Ishigami's function, the g-function and a sum they hold 77 to 100 % of 60 designs of 8 pairs and
 90 to 100 % of 16 and 32 pairs (each index by itself), without it 43 to 97 % and 77 to 100 %.

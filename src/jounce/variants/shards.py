@@ -337,7 +337,7 @@ def read_kept(folder: Path) -> KeptSweep:
     raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
 
 
-# what a sweep follows from --------------------------------------------------------------------------------------------
+# identity of a sweep --------------------------------------------------------------------------------------------------
 
 
 def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:

@@ -136,12 +136,12 @@ class SweepResult(Plain):
         return bool(self.summary.ran)
 
     def files(self) -> dict[str, bytes | str]:
-        """Give the study, the summary, and a table of the variants by the names of their files."""
+        """Return the study, the summary, and a table of the variants by file name."""
         study = Path(self.study).read_text(encoding="utf-8")
         return {"study.toml": study, "summary.json": f"{to_json(self)}\n", "variants.csv": self.table()}
 
     def table(self) -> str:
-        """Give the variants with their numbers and metrics as CSV, SI; the first ones where there are very many."""
+        """Return the variants with their numbers and metrics as CSV, SI; only the first of very many."""
         data = self.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
         names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
         frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
@@ -229,7 +229,7 @@ def run_sweep(
 
 
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
-    """Run the rig unchanged, and the variants with the least and the greatest first metric; by what they are.
+    """Run the unchanged rig, and the variants with the lowest and the highest first metric; return runs by label.
 
     Empty without a metric, or if none of them runs.
     """

@@ -44,7 +44,7 @@ def sweep_study(
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> SweepResult:
-    """Simulate many variants of a rig and tell what metrics amount to and depend on. Exit code 1 where none ran.
+    """Simulate many variants of a rig; report statistics of metrics and their sensitivities. Exit code 1 if none ran.
 
     It is what :func:`jounce.run_sweep` does, on a cluster by its address, too.
     """

@@ -189,7 +189,7 @@ def cluster_at(address: str) -> Iterator[Any]:
 
 
 def check_cluster(client: Any) -> None:
-    """Refuse a cluster without workers, and one whose Python or packages would give other results or none."""
+    """Refuse a cluster without workers, or with versions of Python or packages that could change results."""
     distributed = require("distributed", "cluster")
     if not hasattr(client, "scheduler"):
         raise JounceError(f"{named(client)} is no cluster", where="client", allowed="a dask.distributed.Client")

@@ -1,4 +1,4 @@
-"""What an FMU of another tool says of itself, and its files unpack within limits."""
+"""Read the description of an FMU of another tool, and unpack its files within limits."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class _Unit:
 
 @dataclass(frozen=True)
 class FmuComponent(Plain):
-    """What an FMU says of itself.
+    """Description of an FMU, as its file states it.
 
     Attributes
     ----------
@@ -264,7 +264,7 @@ def _refuse_damaged(file: Path) -> Iterator[None]:
         raise
     except Exception as error:  # of lzma, bz2, zlib, struct, or of encrypted and unknown archives
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES):
-            raise  # of the disk that it is unpack on
+            raise  # of the disk that receives the files
         text = " ".join(str(error).split()) or type(error).__name__
         allowed = "an FMU (a ZIP file)"
         raise DescriptionError(f"not an archive that can be read: {text}", where=str(file), allowed=allowed) from None
@@ -278,7 +278,7 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
         raise DescriptionError(
             "too large for an FMU",
             where=where,
-            found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpack",
+            found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpacked",
             allowed=f"{_MOST_FILES} files of {_MOST_BYTES / 1e6:g} MB together",
         )
     members: dict[str, zipfile.ZipInfo] = {}

@@ -133,7 +133,7 @@ class FmuControl(CallbackController):
         return BaseModel.model_copy(self, update={"rate": rate})  # its actuator may be resolved
 
     def regulator(self, setting: RunSetting) -> Regulator:
-        """Give what the loop calls."""
+        """Return the object that the loop calls."""
         return _FmuRegulator(self, setting)
 
 
@@ -834,6 +834,6 @@ class _FmuProcess:
         return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
 
     def close(self) -> None:
-        """End the process, and remove what was written in its folder."""
+        """End the process, and remove its folder."""
         self._process.end(patience=5.0)
         self._place.__exit__(None, None, None)
