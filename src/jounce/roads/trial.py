@@ -615,7 +615,7 @@ def road_findings(road: Road, place: str = "") -> list[Finding]:
     findings = [at_place(f"{start}{item.place}", item) for item in questions(road)]
     while isinstance(road, Train):
         road = road.of
-    if not found and isinstance(road, (HalfSine, Versine)) and abs(road.height) > _STEEPEST * road.length:
+    if not findings and isinstance(road, (HalfSine, Versine)) and abs(road.height) > _STEEPEST * road.length:
         numbers = {"height": road.height, "length": road.length}
         findings.append(finding("roads.higher_than_long", f"{start}height", road.height, **numbers))
     return findings
