@@ -11,7 +11,7 @@ from jounce.core.findings import Finding
 from jounce.core.operation import Number, Settings, operation
 from jounce.core.serialise import Plain, to_plain
 from jounce.design.adjustments import AdjustReport, Lengths, adjust_report, lengths_for
-from jounce.kinematics.adjustments import SETTINGS, shown
+from jounce.kinematics.adjustments import SETTINGS, write_setting
 from jounce.parts import Corner, as_rig
 from jounce.parts.options import RigAlone
 
@@ -47,7 +47,9 @@ class Adjustment(Plain):
     @property
     def settings(self) -> str:
         """Settings in words, with "with" before them; empty without one."""
-        made = ", ".join(f"{name} {shown(value, SETTINGS[name].unit)}" for name, value in self.report.settings.items())
+        made = ", ".join(
+            f"{name} {write_setting(value, SETTINGS[name].unit)}" for name, value in self.report.settings.items()
+        )
         return f" with {made}" if made else ""
 
     def to_dict(self) -> dict[str, Any]:

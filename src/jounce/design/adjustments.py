@@ -21,7 +21,7 @@ from jounce.kinematics.adjustments import (
     adjusted,
     corner_of,
     read_settings,
-    shown,
+    write_setting,
 )
 from jounce.kinematics.model import kinematic_model
 from jounce.kinematics.refitting import rods
@@ -374,9 +374,14 @@ def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[s
                     ends.append(float(getattr(adjusted(rig, {setting: end}).wheel, name)))
                 except JounceError:
                     continue
-            used.append(f"{setting} {shown(SETTINGS[setting].lowest, 'm')} to {shown(SETTINGS[setting].highest, 'm')}")
-        texts.append(f"{name} from {shown(min(ends), 'rad')} to {shown(max(ends), 'rad')}" if ends else f"no {name}")
-    wishes = ", ".join(f"{name} {shown(value, 'rad')}" for name, value in wished.items())
+            low, high = SETTINGS[setting].lowest, SETTINGS[setting].highest
+            used.append(f"{setting} {write_setting(low, 'm')} to {write_setting(high, 'm')}")
+        texts.append(
+            f"{name} from {write_setting(min(ends), 'rad')} to {write_setting(max(ends), 'rad')}"
+            if ends
+            else f"no {name}"
+        )
+    wishes = ", ".join(f"{name} {write_setting(value, 'rad')}" for name, value in wished.items())
     return DescriptionError(
         "the published adjustment range does not reach this"
         if isinstance(rig, DoubleWishbone)
@@ -397,7 +402,9 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
             return wheel_state(adjusted(rig, {setting.name: value}))
         except JounceError as error:
             findings.append(
-                finding("design.out_of_reach", setting.name, value, wanted=shown(value, setting.unit), error=error)
+                finding(
+                    "design.out_of_reach", setting.name, value, wanted=write_setting(value, setting.unit), error=error
+                )
             )
             return None
 

@@ -18,8 +18,8 @@ class Sentence(NamedTuple):
     en: str
     de: str
 
-    def said(self, language: Language) -> str:
-        """Give it in a language."""
+    def in_language(self, language: Language) -> str:
+        """Give the sentence in a language."""
         return self.de if language == "de" else self.en
 
 

@@ -159,7 +159,7 @@ class Reason:
             words |= _criterion_words(criterion, self.values, language)
             before = "Grenzwerte" if language == "de" else "Limits"
             words["limits"] = f" {before}: {criterion.cited(language)}." if with_source else ""
-        sentence = _SENTENCES[self.kind].said(language).format(**words)
+        sentence = _SENTENCES[self.kind].in_language(language).format(**words)
         return sentence[0].upper() + sentence[1:] if language == "de" else sentence
 
 
@@ -168,7 +168,7 @@ def _word(name: str, value: Any, language: Language) -> str:
         return _WRITTEN[name](value, language)
     tables = {"wheel": SIDES, "missing": SIDES, "axle": AXLES, "across": _ACROSS, "definition": _DEFINITIONS}
     if name in tables:
-        return tables[name][value].said(language) if value in tables[name] else str(value)
+        return tables[name][value].in_language(language) if value in tables[name] else str(value)
     return f"{value:.0f}" if isinstance(value, float) else str(value)
 
 
@@ -220,11 +220,11 @@ def range_words(criterion: Criterion, band: VerdictBand, language: Language = "e
 
 def verdict_words(verdict: str, language: Language = "en") -> str:
     """Say ``pass``, ``advise``, ``fail`` or ``not graded`` in a language; another text is given as it is."""
-    return VERDICT_WORDS[verdict].said(language) if verdict in VERDICT_WORDS else verdict
+    return VERDICT_WORDS[verdict].in_language(language) if verdict in VERDICT_WORDS else verdict
 
 
 def _places(value: Any, language: Language) -> str:
-    return ", ".join((SIDES | AXLES)[place].said(language) for place in value)
+    return ", ".join((SIDES | AXLES)[place].in_language(language) for place in value)
 
 
 _WRITTEN: Mapping[str, Callable[[Any, Language], str]] = {

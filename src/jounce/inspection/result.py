@@ -169,7 +169,7 @@ class WheelResult(Plain):
         return plain_table(table)
 
 
-FIELDS = frozenset(one.name for one in fields(WheelResult))
+FIELDS = frozenset(item.name for item in fields(WheelResult))
 
 
 def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:

@@ -233,7 +233,7 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
                 "out of range",
                 where=name,
                 found=given,
-                allowed=f"{shown(low, setting.unit)} to {shown(high, setting.unit)} ({setting.source})",
+                allowed=f"{write_setting(low, setting.unit)} to {write_setting(high, setting.unit)} ({setting.source})",
             )
         values[name] = value
     return values
@@ -244,7 +244,7 @@ def adjustables(rig: Rig) -> dict[str, Adjustable]:
     return {item.name: item for item in SETTINGS.values() if item.fits(rig)} if isinstance(rig, Corner) else {}
 
 
-def shown(value: float, unit: str) -> str:
+def write_setting(value: float, unit: str) -> str:
     """Write a value in the unit that people use for it: mm, deg."""
     factor, name = {"m": (1e3, "mm"), "rad": (180.0 / np.pi, "deg")}.get(unit, (1.0, unit))
     return f"{value * factor:.4g} {name}"

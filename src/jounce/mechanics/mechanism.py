@@ -145,7 +145,7 @@ class Mechanism(Structure):
         Body
             For joints, points and forces.
         """
-        placed = self._unused(name, self.bodies)
+        placed = self._require_unused(name, self.bodies)
         properties = None
         if mass is not None:
             if centre_of_mass is None:
@@ -239,7 +239,7 @@ class Mechanism(Structure):
             self._check_track(name, track)
         described = joint.with_symbols(self)
         self._check_numbers([described], self.values)
-        placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
+        placed = self._require_unused(name, (*self.hanging, *self.closing, *self.conditions))
         return (
             self._close(replace(described, name=placed))
             if closes
@@ -402,7 +402,7 @@ class Mechanism(Structure):
     @all_or_nothing
     def _condition(self, name: str, kind: str, expression: ca.SX) -> ca.SX:
         expression = self._check_expression(name, expression)
-        placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
+        placed = self._require_unused(name, (*self.hanging, *self.closing, *self.conditions))
         value = self.poses.resolve(expression)
         rate = self.rate_of(value)
         multiplier = self.constrain([Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate))

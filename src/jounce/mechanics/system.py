@@ -84,7 +84,7 @@ class System:
 
     def constant(self, name: str, value: float) -> ca.SX:
         """Return a symbol for a number (``value``, SI): expressions that differ in it only are similar."""
-        name = self._unused(name, self.collection.constants)
+        name = self._require_unused(name, self.collection.constants)
         self.collection.constants[name] = ca.SX.sym(name), value
         return self.collection.constants[name][0]
 
@@ -134,8 +134,8 @@ class System:
         speed_units: Sequence[str],
     ) -> tuple[ca.SX, ca.SX]:
         into = self.collection
-        names = [self._unused(name, {**into.coordinates, **into.speeds}) for name in names]
-        speeds = [self._unused(name, {**into.coordinates, **into.speeds}) for name in speeds]
+        names = [self._require_unused(name, {**into.coordinates, **into.speeds}) for name in names]
+        speeds = [self._require_unused(name, {**into.coordinates, **into.speeds}) for name in speeds]
         into.units.update(zip((*names, *speeds), (*units, *speed_units), strict=True))
         into.start.update(zip(names, start, strict=True))
         into.coordinates.update({name: ca.SX.sym(name) for name in names})
@@ -146,7 +146,7 @@ class System:
 
     def internal_state(self, name: str) -> ca.SX:
         """Add a first-order state (hysteresis, actuator); return its rate later with ``set_internal_rate``."""
-        name = self._unused(name, self.collection.internal)
+        name = self._require_unused(name, self.collection.internal)
         self.collection.internal[name] = (ca.SX.sym(name), None)
         return self.collection.internal[name][0]
 
@@ -159,7 +159,7 @@ class System:
 
     def track(self, name: str) -> Track:
         """Add a prescribed input motion and return its value and rates."""
-        name = self._unused(name, self.collection.tracks)
+        name = self._require_unused(name, self.collection.tracks)
         symbols = (ca.SX.sym(text) for text in (name, f"{name} rate", f"{name} acceleration"))
         self.collection.tracks[name] = Track(*symbols)
         return self.collection.tracks[name]
@@ -177,9 +177,9 @@ class System:
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
         """Return the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
-        name, decides = self._unused(name, self.collection.switches), expression_of(expression, f"switch {name}")
-        mode = ca.SX.sym(name)
-        self.collection.switches[name] = (mode, decides)
+        placed = self._require_unused(name, self.collection.switches)
+        mode = ca.SX.sym(placed)
+        self.collection.switches[placed] = (mode, expression_of(expression, f"switch {name}"))
         return mode
 
     def inertia(self, inertia: InertialTerms) -> None:
@@ -229,7 +229,7 @@ class System:
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
         """Add an output signal."""
-        name = self._unused(name, {known.name for known in self.collection.outputs})
+        name = self._require_unused(name, {known.name for known in self.collection.outputs})
         shown = expression_of(expression, f"output {name}")
         if shown.shape != (1, 1):
             count, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
@@ -240,8 +240,8 @@ class System:
         """Form the equations of motion."""
         return form(self.collection)
 
-    def _unused(self, name: str, names: Container[str]) -> str:
-        """A name with its place that is not used yet."""
+    def _require_unused(self, name: str, names: Container[str]) -> str:
+        """Put the place before a name, and refuse a name that is used already."""
         name = self.placed(check_name(name))
         _refuse_twice(name, names)
         return name

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import display_unit, shown_as
-from jounce.plots.display import number, quantity, raised
+from jounce.plots.display import number, quantity, raise_exponents
 from jounce.plots.figures import (
     AFTER,
     BEFORE,
@@ -135,7 +135,7 @@ def design_front(front: DesignFront) -> Figure:
         if not k:
             axes.legend(loc="best", fontsize=8)
     _parallel_front(figure.add_subplot(grid[down, :]), front, colours)
-    figure.suptitle(at_tick(raised(front.driven), 110), fontsize=8, color=MUTED)
+    figure.suptitle(at_tick(raise_exponents(front.driven), 110), fontsize=8, color=MUTED)
     return figure
 
 
@@ -193,7 +193,7 @@ def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
         _draw_mark(axes, mark, x, y, is_right=mark.comfort > middle)
     axes.set(xlabel=_label(front, "comfort"), ylabel=_label(front, "holding"))
     axes.legend(handles=_handles(front), loc="upper right", fontsize=8)
-    axes.set_title(at_tick(raised(front.driven), 78), fontsize=8, fontweight="normal", color=MUTED)
+    axes.set_title(at_tick(raise_exponents(front.driven), 78), fontsize=8, fontweight="normal", color=MUTED)
 
 
 def _draw_mark(axes: Axes, mark: ParetoMark, x: float, y: float, *, is_right: bool) -> None:

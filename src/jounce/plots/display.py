@@ -116,10 +116,10 @@ def correlation(value: float) -> str:
 _EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?!\d)")
 
 
-def raised(text: str) -> str:
+def raise_exponents(text: str) -> str:
     """Write the units of a sentence with raised exponents, as labels have them.
 
-    >>> raised("256e-6 m^3, above 0.5 m/s^2"), raised("x^2 in a law")
+    >>> raise_exponents("256e-6 m^3, above 0.5 m/s^2"), raise_exponents("x^2 in a law")
     ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')
     """
     return _EXPONENT.sub(lambda match: match[1] + "²³"[int(match[2]) - 2], text)

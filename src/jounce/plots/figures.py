@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats
-from jounce.plots.display import raised
+from jounce.plots.display import raise_exponents
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -263,7 +263,7 @@ def name_figure(figure: Figure, title: str) -> Figure:
     """Write above a figure what it shows, unless it says so already; give the figure."""
     if title and not figure.get_suptitle():
         with style():
-            figure.suptitle(raised(title), x=0.01, ha="left", fontsize=10)
+            figure.suptitle(raise_exponents(title), x=0.01, ha="left", fontsize=10)
     return figure
 
 

@@ -246,7 +246,7 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     reach = distance if distance is not None else 1.08 * max(*ends.values(), 1e-3)
     across, up = shown_as("m", largest=reach), display_unit("m")
     for (name, road), axes in zip(named.items(), rows, strict=True):
-        x, height = sampled(road.segments(reach))
+        x, height = sample_segments(road.segments(reach))
         if height.min() >= 0.0:
             axes.fill_between(across.factor * x, up.factor * height, 0.0, color="#cfd6dc", linewidth=0.0)
         axes.plot(across.factor * x, up.factor * height, color=PALETTE[0], linewidth=1.1)
@@ -260,7 +260,7 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     return figure
 
 
-def sampled(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def sample_segments(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Coordinate (m or s) and height (m) along closed-form pieces, shape (n,); jumps are drawn upright."""
     count = max(2, min(60, _POINTS // len(segments.kind)))
     share = np.linspace(0.0, 1.0, count)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES
-from jounce.kinematics.adjustments import shown
+from jounce.kinematics.adjustments import write_setting
 from jounce.plots.display import number, settled_number
 from jounce.report.page import Block, Fact, Facts, Page, PageTable, answer_page, findings_blocks
 
@@ -28,7 +28,7 @@ def adjustment_page(found: Adjustment, *, title: str) -> Page:
         answer.append(_effects(report))
     answer.append(_over_travel(report, is_changed=is_changed))
     if found.lengths is not None:
-        reached = f"camber {shown(found.lengths.camber, 'rad')}, toe {shown(found.lengths.toe, 'rad')}"
+        reached = f"camber {write_setting(found.lengths.camber, 'rad')}, toe {write_setting(found.lengths.toe, 'rad')}"
         answer.append(Facts((Fact("reached", reached),)))
     answer += findings_blocks(found.findings)
     return answer_page(title, answer)

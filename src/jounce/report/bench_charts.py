@@ -13,7 +13,7 @@ from jounce.identify.force_deflection import ForceDeflectionTrial, number_namesa
 from jounce.identify.free_response import alternating, decay_response, turning_points
 from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import number, quantity
-from jounce.plots.signals import sampled
+from jounce.plots.signals import sample_segments
 from jounce.report.chart import Panel, Series
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def road_panels(roads: Mapping[str, Road]) -> tuple[Panel, ...]:
     shown = (across.factor * shown[0], across.factor * shown[1])
     panels = []
     for k, (name, road) in enumerate(roads.items()):
-        x, height = sampled(road.segments(reach))
+        x, height = sample_segments(road.segments(reach))
         label = across.label("distance") if k == len(roads) - 1 else ""
         panels.append(
             Panel(

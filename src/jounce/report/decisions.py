@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.plots.display import number, percent, quantity, raised
+from jounce.plots.display import number, percent, quantity, raise_exponents
 from jounce.report.page import (
     Block,
     Cell,
@@ -76,7 +76,9 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
         PageTable("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
-        title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {raised(found.driven)}"
+        title,
+        (Section("Answer", tuple(answer)), Section("Metrics", metrics)),
+        f"Best design on {raise_exponents(found.driven)}",
     )
 
 
@@ -188,7 +190,9 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     answer += findings_blocks(front.findings)
     every = Section("Every design", (table_of(f"From {front.heading}", designs),))
     return Page(
-        title, (Section("Answer", tuple(answer)), every), f"Pareto front, {front.heading}, on {raised(front.driven)}"
+        title,
+        (Section("Answer", tuple(answer)), every),
+        f"Pareto front, {front.heading}, on {raise_exponents(front.driven)}",
     )
 
 
@@ -277,4 +281,4 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     answer: list[Block] = [facts, picture_of(front, "front", words)]
     answer += findings_blocks(front.findings)
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
-    return Page(title, sections, f"Best designs on {raised(front.driven)}")
+    return Page(title, sections, f"Best designs on {raise_exponents(front.driven)}")

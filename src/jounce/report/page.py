@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 from jounce.core.display import display_unit
 from jounce.core.findings import Finding, not_drawn
 from jounce.core.text import listed_places, slug
-from jounce.plots.display import number, raised
+from jounce.plots.display import number, raise_exponents
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -319,7 +319,7 @@ def as_printed(text: str) -> str:
     >>> as_printed("moved by -2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s^2")
     'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s²'
     """
-    return raised(_NEGATIVE.sub("−", text))
+    return raise_exponents(_NEGATIVE.sub("−", text))
 
 
 def unique_slugs(names: Sequence[str]) -> list[str]:

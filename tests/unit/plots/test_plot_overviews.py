@@ -17,7 +17,7 @@ from jounce.plots import (
     show,
     trial_matrix,
 )
-from jounce.plots.signals import sampled
+from jounce.plots.signals import sample_segments
 
 
 def test_matrix_says_everything_in_words(trials) -> None:
@@ -76,7 +76,7 @@ def test_residuals_need_a_trial(trials) -> None:
 
 
 def test_jumps_are_upright() -> None:
-    x, height = sampled(jn.Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0))
+    x, height = sample_segments(jn.Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0))
     assert np.all(np.diff(x) >= 0.0)
     rise = int(np.argmax(height > 0.005))
     assert x[rise] - x[rise - 1] < 1e-6

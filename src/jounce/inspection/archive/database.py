@@ -135,12 +135,12 @@ class DamagedStoreError(RecordingError):
     """A file that was a record store, or no store at all; it is never written to."""
 
 
-def shown(location: str) -> str:
+def hide_password(location: str) -> str:
     """Give a location without its password, for messages and results.
 
     Examples
     --------
-    >>> shown("postgresql+psycopg://lane:se/cr@t@host/lane"), shown("lane.sqlite")
+    >>> hide_password("postgresql+psycopg://lane:se/cr@t@host/lane"), hide_password("lane.sqlite")
     ('postgresql+psycopg://lane:***@host/lane', 'lane.sqlite')
     """
     if "://" not in location:
@@ -231,20 +231,20 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         engine = create_engine(url, pool_pre_ping=True, connect_args=waits)
     except NoSuchModuleError:
         what = "no database of a kind that is known"
-        raise DescriptionError(what, where="store", found=shown(location), allowed=allowed) from None
+        raise DescriptionError(what, where="store", found=hide_password(location), allowed=allowed) from None
     except (ArgumentError, ValueError):  # their texts hold parts of the password
         hint = "In a password, write / : @ as %2F %3A %40."
         what = "no database: the address cannot be read"
-        raise DescriptionError(what, where="store", found=shown(location), allowed=allowed, hint=hint) from None
+        raise DescriptionError(what, where="store", found=hide_password(location), allowed=allowed, hint=hint) from None
     except ModuleNotFoundError as error:
         command = how_to_install("postgresql") if error.name == "psycopg" else f"pip install {error.name}"
         what, hint = "the driver of this database is not installed", f"Install it with: {command}"
-        raise RecordingError(what, where=shown(location), hint=hint) from None
+        raise RecordingError(what, where=hide_password(location), hint=hint) from None
     try:
-        with reported_errors(shown(location)), engine.begin() as connection:
+        with reported_errors(hide_password(location)), engine.begin() as connection:
             if not read_only:
-                _make_tables(connection, shown(location))
-            _check_tables(connection, shown(location))
+                _make_tables(connection, hide_password(location))
+            _check_tables(connection, hide_password(location))
     except JounceError:
         engine.dispose()
         raise

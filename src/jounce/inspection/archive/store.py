@@ -28,10 +28,10 @@ from jounce.inspection.archive.database import (
     VEHICLES,
     WATCHED,
     DamagedStoreError,
+    hide_password,
     open_database,
     problems_of,
     reported_errors,
-    shown,
 )
 from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
 
@@ -78,7 +78,7 @@ class Store:
 
     def __init__(self, location: str | Path, *, read_only: bool = False, damaged: bool = False) -> None:
         self.address, self.read_only = str(location), read_only or damaged
-        self.location = shown(self.address)  # for messages and results
+        self.location = hide_password(self.address)  # for messages and results
         self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
         finalize(self, self._engine.dispose)  # from Python 3.13 on, SQLite's connections want to be closed
 

@@ -17,7 +17,7 @@ from jounce.core.types import Array
 from jounce.mechanics.contact import towards_road
 from jounce.plots.display import number
 from jounce.plots.figures import INK, PALETTE
-from jounce.plots.signals import sampled
+from jounce.plots.signals import sample_segments
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -489,7 +489,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
             allowed=f"up to {trial.duration:g} s",
         )
     way = trial.speed * time
-    distance, height = sampled(trial.road.segments(float(way[-1]) + REACH * radius))
+    distance, height = sample_segments(trial.road.segments(float(way[-1]) + REACH * radius))
     needed = _bends(distance, height)
     return Roadway(distance[needed], height[needed], way)
 
