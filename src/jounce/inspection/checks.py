@@ -269,7 +269,7 @@ def check_load(signals: WheelSignals, measured: float, tester: Tester | None) ->
 
 def _unit_of(ratio: float) -> str | None:
     """Unit of a force that is ``ratio`` times (1) its value in N; empty where rather the load is in another unit."""
-    if abs(ratio / _KILO - 1.0) < _NEAR_KILO:  # what the plate's inertia leaves is not small beside so few newtons
+    if abs(ratio / _KILO - 1.0) < _NEAR_KILO:  # the plate's inertia matters beside so few newtons
         return FORCE_UNITS[_KILO]
     nearest = min(FORCE_UNITS, key=lambda factor: abs(ratio / factor - 1.0))
     return FORCE_UNITS[nearest] if abs(ratio / nearest - 1.0) < _NEAR else None

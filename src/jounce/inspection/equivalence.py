@@ -1,4 +1,4 @@
-"""What three tests say of the same car: adhesion, phase angle and THETA over damper wear, tyre, load and friction."""
+"""Three tests of the same car compared: adhesion, phase angle and THETA over damper wear, tyre, load, friction."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Evaluation of a tester's record, measured or simulated: values of each wheel, what weakens or forbids them."""
+"""Evaluation of a tester's record, measured or simulated: values of each wheel, and findings that weaken them."""
 
 from __future__ import annotations
 

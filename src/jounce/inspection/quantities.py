@@ -13,7 +13,7 @@ _MOST_DECIMALS = 6
 
 
 class Sentence(NamedTuple):
-    """What is said in each language; ``{names}`` in braces are filled in."""
+    """A sentence in each language; ``{names}`` in braces are filled in."""
 
     en: str
     de: str

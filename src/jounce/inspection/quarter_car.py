@@ -287,7 +287,7 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
 
 
 def _merit(fit: ResponseFit) -> float:
-    """Share (1) of the force that is explained, less than nothing where no tyre is like that."""
+    """Explained share (1) of the force, negative for an implausible tyre."""
     return fit.explained if TYRES[0] < fit.corner.tyre_stiffness < TYRES[1] else fit.explained - 1.0
 
 
@@ -416,7 +416,7 @@ def _parameters(corner: LinearQuarterCar) -> Array:
 
 
 def _within(parameters: Array, before: Array, mass: float) -> Array:
-    """Halve the way to what no car can have."""
+    """Halve the way to a bound that the parameters would cross."""
     low = np.array([1e-3 * mass, 0.0, 0.0, 1e3, -2e3, 0.2 * mass])
     high = np.array([0.6 * mass, 1e7, 1e6, 1e8, 2e4, 3.0 * mass])
     inside = np.where(parameters < low, 0.5 * (before + low), parameters)

@@ -1,4 +1,4 @@
-"""Reasons of a grading as data that can be said in English and German."""
+"""Reasons of a grading as data, written as sentences in English and German."""
 
 from __future__ import annotations
 
@@ -146,7 +146,7 @@ class Reason:
     values: Mapping[str, Any] = field(default_factory=dict)
 
     def text(self, language: Language = "en", *, with_source: bool = True) -> str:
-        """Say it as one sentence, with the source of the limits or without.
+        """Write the reason as one sentence, with or without the source of the limits.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Records of testers: plate height and plate force of one or two wheels, and what the lane wrote about the car."""
+"""Records of testers: plate height and plate force of one or two wheels, and the lane's notes on the car."""
 
 from __future__ import annotations
 
@@ -178,7 +178,7 @@ def _text(value: object, where: str) -> str:
     plain = value.item() if isinstance(value, np.generic) else value
     if isinstance(plain, (datetime.date, datetime.time)):
         return plain.isoformat()
-    is_number = isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME  # what is no number is not below it
+    is_number = isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME  # NaN is not below it
     text = str(plain) if is_number or isinstance(plain, str) else None
     if text is None or len(text) > _LONGEST_TEXT or "\0" in text:
         allowed = f"text of at most {_LONGEST_TEXT} characters, a date"

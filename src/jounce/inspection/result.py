@@ -1,4 +1,4 @@
-"""What an inspection gives: values per wheel with their uncertainty, curves, grades and reasons."""
+"""Result of an inspection: values per wheel with their uncertainty, curves, grades and reasons."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ class PlateCalibration:
 
     @property
     def is_passed(self) -> bool:
-        """Tell whether the residual is small enough."""
+        """Whether the residual is small enough."""
         return self.residual_per_hz <= self.allowed_per_hz
 
 
@@ -200,7 +200,7 @@ def _strokes(values: Array, size: int) -> Array:
 
 
 def _bends(values: Array, size: int) -> Array:
-    """Stroke of each block about its own straight line: what a swing much slower than the block hardly has."""
+    """Stroke of each block about its own straight line, to which swings much slower than the block hardly add."""
     blocks = _blocks(values, size)
     place = np.arange(size) - 0.5 * (size - 1)
     slope = blocks @ place / (place @ place)

@@ -75,7 +75,7 @@ def force_in_periods(
     level: float,
     window: tuple[float, float],
 ) -> Array:
-    """Find what forces do in each period of the plate, after the low pass that goes with the period.
+    """Evaluate forces in each period of the plate, after the low pass that belongs to the period.
 
     Forces (rows, n) in N, sampled at ``rate`` Hz from ``start`` s; ``tops`` (s) are when the plate is highest, with its
     frequencies (Hz) then. The least force is looked for in a ``window`` of periods after the top, and the crossings of
@@ -149,7 +149,7 @@ class FrequencyCurve:
 
 
 def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: Array, length: float) -> FrequencyCurve:
-    """Put a modelled curve right by a measured one; frequencies in Hz in any order, NaN where not known.
+    """Correct a modelled curve by a measured one; frequencies in Hz in any order, NaN where not known.
 
     ``spread`` says how the noise of the measured values goes from one to the other, its size does not matter; what the
     model misses may change over ``length`` Hz. The curve is sorted, and has each frequency once.

@@ -296,7 +296,7 @@ class End:
 
 
 def ends_text(ends: Sequence[End]) -> str:
-    """Describe where a sweep had to stop; of many ends the first ones."""
+    """Describe where a sweep had to stop; only the first of many ends."""
     more = f"; and {len(ends) - _MOST_ENDS} more ends of travel" if len(ends) > _MOST_ENDS else ""
     return "; ".join(map(str, ends[:_MOST_ENDS])) + more
 

@@ -86,7 +86,7 @@ class Orientation:
 
 
 class FixedOrientation(Orientation):
-    """The orientation of the ground, and of everything that only slides on it."""
+    """The orientation of the ground, and of bodies that only slide on it."""
 
     def __init__(self) -> None:
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)

@@ -755,7 +755,7 @@ class Mechanism(Structure):
         units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {None}
         return "rad" if units == {"rad"} and not self.poses.occurring(expression) else "m"
 
-    # what is watched -------------------------------------------------------------------------------------------
+    # watched outputs -------------------------------------------------------------------------------------------
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
         """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
@@ -1026,7 +1026,7 @@ class Mechanism(Structure):
         return self.freedoms(model).at(pose.x, u, p, pose.redundant)
 
     def freedoms(self, model: Model) -> Freedoms:
-        """What counts the degrees of freedom of a model of this mechanism, made once for it."""
+        """Counter of the degrees of freedom of a model of this mechanism, made once for it."""
         with turn((id(self), "freedoms")):
             if id(model) not in self._counted:
                 self._counted[id(model)] = Freedoms(self, model, self.generalised_force(model))  # which keeps the model

@@ -216,7 +216,7 @@ def _motion(body: Body, v: ca.SX) -> ca.SX:
 
 
 def _readable(directions: Array) -> Array:
-    """The same motions, each with one coordinate of its own that moves in no other."""
+    """The same motions, each with a coordinate that moves in no other."""
     from scipy.linalg import qr
 
     if not directions.shape[1]:

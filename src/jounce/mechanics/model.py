@@ -1,4 +1,4 @@
-"""A finished symbolic model: what every engine, linearisation and gradient is derived from."""
+"""A finished symbolic model, from which every engine, linearisation and gradient is derived."""
 
 from __future__ import annotations
 

@@ -127,7 +127,7 @@ class WatchedReaction(OutputDescription):
 
 @dataclass(frozen=True, eq=False)
 class WatchedEnergy(OutputDescription):
-    """Energies, and what is left open of the loops."""
+    """Energies, and the remaining gaps of the loops."""
 
     kind = "energy"
 

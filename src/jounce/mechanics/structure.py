@@ -51,7 +51,7 @@ class LoopExpression:
 
 
 class Structure(System):
-    """Everything a mechanism consists of, by name and in the order in which it came."""
+    """All parts of a mechanism, by name and in the order in which they were added."""
 
     gravity: ca.SX
 

@@ -108,7 +108,7 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
             else ()
         )
         findings = [*_check_estimated(rig), *lumped]
-    asked_of = rig.parameters().keys() - {item.place for item in findings}  # not of what stands in for what is left out
+    asked_of = rig.parameters().keys() - {item.place for item in findings}  # not of placeholders for parts left out
     findings += [item for item in questions(rig) if item.place in asked_of]
     return tuple(findings)
 

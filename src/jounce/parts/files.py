@@ -353,7 +353,7 @@ def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: b
     text = _rebase_corners(read_toml(model)[1], model.parent, file.parent)
     described = rig_from_table(tomllib.loads(text), where=str(file), text=text)
     if type(described) is not type(rig):
-        if like is None:  # what is overwritten has nothing to keep
+        if like is None:  # a file of another model has nothing worth keeping
             return write_atomically(file, rig_text(rig), force=force)
         models = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
         raise DescriptionError("not a file of the same model", where=str(model), found=models)

@@ -10,5 +10,5 @@ __getattr__, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def __dir__() -> list[str]:
-    """Functions only: what can be drawn and written."""
+    """List the functions that draw and write figures."""
     return [name for name in __all__ if name[0].islower()]

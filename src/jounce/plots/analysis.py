@@ -1,4 +1,4 @@
-"""What is analysed of a record: statistics, spectra, transfer functions, modes, and integrated accelerations."""
+"""Figures of analyses of records: statistics, spectra, transfer functions, modes, integrated accelerations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was fitted to measurements: springs and tyres, dampers, free decays, and the parameters of a model."""
+"""Figures of fits to measurements: springs and tyres, dampers, free decays, and the parameters of a model."""
 
 from __future__ import annotations
 

@@ -139,7 +139,7 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
 
 
 def _phase_limits(passing: float | None, failing: float | None, words: dict[str, str]) -> dict[str, float]:
-    """Limits (degrees) by the names that are written beside them."""
+    """Limits (degrees) by their labels."""
     both = {words["passes"]: passing, words["fails"]: failing}
     named = both if None not in both.values() and passing != failing else {words["limit"]: passing}
     return {name: limit for name, limit in named.items() if limit is not None}
@@ -207,7 +207,7 @@ def _over_time(
 
 
 def _leave_out_jolts(axes: Axes, ends: Array) -> None:
-    """Keep the jolt of a starting plate, a few parts of the signal only, from flattening all the rest."""
+    """Limit the axes so that the jolt of a starting plate does not flatten the rest of the signal."""
     if ends.size < _ENVELOPE:
         return
     least, low, high, greatest = np.quantile(ends, [0.0, 0.01, 0.99, 1.0])

@@ -300,7 +300,7 @@ def _lines(sweep: xr.Dataset, name: str, along: str) -> list[tuple[str, Array, s
 
 
 def _cut(values: Array) -> Array:
-    """Values with those left out that run to infinity, so that the rest can be seen."""
+    """Replace values that run to infinity by gaps, so that the rest can be seen."""
     finite = values[np.isfinite(values)]
     if len(finite) < 4:
         return np.where(np.isfinite(values), values, np.nan)

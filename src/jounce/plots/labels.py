@@ -60,7 +60,7 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
 
 
 def _columns(places: Mapping[str, Array]) -> tuple[list[str], list[str]]:
-    """Names that stand on the left and on the right, each from bottom to top."""
+    """Names in the left and the right column, each from bottom to top."""
     ordered = sorted(places, key=lambda name: (round(float(places[name][0]), 3), name))
     half = len(ordered) // 2
     left, right = (
@@ -172,7 +172,7 @@ class LabelLayout:
     high: Array  # upper right corner
 
     def place_all(self) -> Array:
-        """Centres of the names, shape (n, 2): each in turn goes where it costs least, until none wants to move.
+        """Centres of the names, shape (n, 2): each in turn moves to its cheapest place, until none moves.
 
         Examples
         --------
@@ -200,7 +200,7 @@ class LabelLayout:
         return np.asarray(np.clip(self.points[i], centres - 0.5 * self.sizes[i], centres + 0.5 * self.sizes[i]))
 
     def _options(self, i: int) -> tuple[Array, Array]:
-        """Where a name may stand, shape (m, 2), and how much less each place is liked, shape (m,)."""
+        """Candidate places of a name, shape (m, 2), with a penalty for each, shape (m,)."""
         reach, angle = (grid.ravel() for grid in np.meshgrid(_REACH, _DIRECTIONS, indexing="ij"))
         towards = np.column_stack([np.cos(angle), np.sin(angle)])
         tips = self.points[i] + towards * (self.radii[i] + _GAP + reach)[:, None]
@@ -209,7 +209,7 @@ class LabelLayout:
         return centres, reach + 4.0 * sideways + np.where(np.cos(angle) < -1e-9, 2.0, 0.0)
 
     def _costs(self, i: int, centres: Array, others: dict[int, Array]) -> Array:
-        """What each place of a name costs, shape (m,), while the others stand where they do."""
+        """Cost of each place of a name, shape (m,), with the other names fixed."""
         half = 0.5 * self.sizes[i] + 0.5 * _GAP
         beyond = np.maximum(self.low - (centres - half), 0.0) + np.maximum(centres + half - self.high, 0.0)
         cost = _OUTSIDE * beyond.sum(axis=1)

@@ -104,7 +104,7 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
 
 
 def _shade_lost_contact(axes: Axes, run: xr.Dataset, name: str, time: Array, *, labelled: bool) -> bool:
-    """Shade where the channel's own tyre (or, for channels without a corner, any tyre) carries nothing."""
+    """Shade where the channel's own tyre (or, for channels without a corner, any tyre) carries no load."""
     corner = name.partition(".")[0]
     tyres = [str(other) for other in run.data_vars if str(other).endswith("tyre.force")]
     own = [other for other in tyres if other.startswith(f"{corner}.")] if corner != "tyre" else []
@@ -416,6 +416,6 @@ def modes(found: Sequence[Mode]) -> Figure:
     for empty, above in zip(grid[len(found) :], grid[len(found) - across :], strict=False):
         empty.remove()
         above.tick_params(labelbottom=True)
-    # Displacements and angles of a shape stand side by side in SI: what is small among them need not matter little.
+    # Displacements and angles of a shape share an axis in SI, so a short bar is not always a small motion.
     figure.supxlabel("shape: displacements in m, angles in rad, the largest of all 1", fontsize=9)
     return figure

@@ -1,4 +1,4 @@
-"""Long curves as few points: what no screen or printer could tell apart is left out, peaks are kept."""
+"""Long curves as few points: points that no screen or printer could resolve are left out, peaks are kept."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of many runs: what a metric depends on, how numbers and metrics go together, bands over time."""
+"""Figures of many runs: what a metric depends on, how numbers and metrics correlate, bands over time."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
 
 
 def _order(at: xr.Dataset) -> Array:
-    """Places of the numbers in the order of what they matter to a metric, most first."""
+    """Indices of the numbers by their influence on a metric, largest first."""
     weight = next(at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at)
     return np.asarray(np.argsort(-np.nan_to_num(np.abs(weight)), kind="stable"))
 
@@ -199,7 +199,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     first = many[names[0]].to_numpy()
     chosen = _choose_variants(many, _MOST_LINES)
     chosen = chosen[np.isfinite(first[chosen])]
-    chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # what is least lies on top
+    chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # the smallest lies on top
     shares, ends, units = [], [], []
     for name in columns:
         unit = _unit(many[name])
@@ -284,7 +284,7 @@ def _mattering(many: xr.Dataset, metrics: Sequence[str], most: int) -> list[str]
 
 
 def _choose_variants(many: xr.Dataset, most: int) -> Array:
-    """Variants that are drawn: all, or as many as a picture takes, evenly."""
+    """Variants to draw: all, or an even selection of as many as a picture takes."""
     count = many.sizes["variant"]
     return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
 

@@ -73,7 +73,7 @@ RECORDS = Table(
     Column("tester_digest", ForeignKey("descriptions.digest")),
     Column("vehicle_digest", ForeignKey("descriptions.digest")),
     Column("methods", String, nullable=False),
-    Column("seal", String(64), nullable=False),  # checksum of what is shown of the record
+    Column("seal", String(64), nullable=False),  # checksum of the columns that are shown
 )
 CONTENTS = Table(  # apart from the records, so that searching and checking need not read them
     "contents",
@@ -268,7 +268,7 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
     mode = "ro" if read_only else "rw"
     if read_only and not os.access(file.parent, os.W_OK) and not _log_of(file).exists():
-        mode += "&immutable=1"  # no place for the lock file, and nobody can write
+        mode += "&immutable=1"  # the lock file cannot be made, and nobody can write
     address = f"sqlite:///file:{quote(str(file.resolve()))}?mode={mode}&uri=true"
     engine = create_engine(address, connect_args={"timeout": _WAIT})
 

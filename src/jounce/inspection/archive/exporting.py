@@ -48,7 +48,7 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
 
 
 def _messages(about: Mapping[str, Any]) -> list[str]:
-    """What the evaluation found about a wheel or a record; problems are among the reasons already."""
+    """Messages of the evaluation about a wheel or a record; problems are among the reasons already."""
     return [finding["message"] for finding in about.get("findings", []) if finding["severity"] != "problem"]
 
 

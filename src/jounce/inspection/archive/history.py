@@ -46,7 +46,7 @@ class Trend:
 
 
 def history_of(store: Store, plate: str) -> list[WheelVisit]:
-    """Give what every wheel of a vehicle measured, by date.
+    """Give the measured values of every wheel of a vehicle, by date.
 
     Of its number plate capitals, spaces and hyphens do not count. The list is empty for a plate that was never here;
     records that could not be read have no wheels and are left out.

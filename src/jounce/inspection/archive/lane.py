@@ -140,7 +140,7 @@ def entry_of(
 
 
 def header_facts(content: bytes, sidecar: bytes | None = None) -> dict[str, str]:
-    r"""Give what a record says of itself in words, as far as it can be read; the record may be damaged.
+    r"""Give the texts of a record's header, as far as they can be read; the record may be damaged.
 
     Examples
     --------
@@ -167,12 +167,12 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 
 def grading_of(graded: GradedInspection) -> Grading:
-    """Give what the store keeps of a graded axle."""
+    """Make the stored grading of a graded axle."""
     return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
-    """Give what the store keeps of a record that cannot be read: not graded, with the reason."""
+    """Make the stored grading of a record that cannot be read: not graded, with the reason."""
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}
     return Grading(NOT_GRADED, label, metadata.version("jounce"), plain)

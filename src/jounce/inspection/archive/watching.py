@@ -46,7 +46,7 @@ class Seen:
     """Outcome of a file of the folder."""
 
     file: Path  # where it is, and stays
-    imported: ImportedRecord | None  # what is in the store; None where the file could not be read
+    imported: ImportedRecord | None  # the stored record; None if the file could not be read
     problem: str = ""  # why it could not be read, or not be graded; empty where all is well
 
 

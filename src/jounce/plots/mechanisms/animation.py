@@ -107,7 +107,7 @@ class Animation:
     road: Roadway | None
     title: str
     slow: float  # how many times slower than in reality a run is played
-    say: Callable[[str], None]  # told one line of text as the work goes on
+    say: Callable[[str], None]  # receives one line of progress at a time
 
     @property
     def order(self) -> list[int]:

@@ -1,4 +1,4 @@
-"""What a suspension turns about: instant centres, roll centre and steering axis in side, front and top view."""
+"""Geometry of a suspension: instant centres, roll centre and steering axis in side, front and top view."""
 
 from __future__ import annotations
 
@@ -174,7 +174,7 @@ def _beside(centre: Array) -> Array:
 
 
 def _box(view: View, cloud: Array, centres: list[Array], wheel: Array) -> Array:
-    """Lower and upper corner on paper, shape (2, 2), m, of what is drawn and of the centres that are not far away."""
+    """Lower and upper corner on paper, shape (2, 2), m, of the drawing and of the centres nearby."""
     flat = view.flat(cloud)
     origin = view.flat(wheel)
     near = [view.flat(centre) for centre in centres if np.max(np.abs(view.flat(centre) - origin)) < _NEAR]
@@ -270,7 +270,7 @@ def _labels(axes: Mapping[str, Axes]) -> None:
 
 
 def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
-    """Write the numbers of what is drawn, a column a rig."""
+    """Write the numbers of the drawing, one column per rig."""
     axes.axis("off")
     last = list(centres.values())[-1]
     names = [name for name in _NUMBERS if name in last.rows]

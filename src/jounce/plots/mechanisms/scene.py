@@ -137,7 +137,7 @@ class Scene:
 
 @dataclass(frozen=True)
 class Pose:
-    """Where everything is at one moment: places of shape (3,), m."""
+    """One pose: places of shape (3,), m."""
 
     points: Mapping[str, Array]
     spin_axis: Array  # unit vector along the wheel's axis, outboard
@@ -161,7 +161,7 @@ def require_corner(rig: object) -> Corner:
 
 
 def scene_of(rig: Corner) -> Scene:
-    """Give what there is to draw of a 3-D rig; which points stand on the body comes from its equations."""
+    """Make the scene of a 3-D rig; its equations tell which points are fixed to the body."""
     require_corner(rig)
     from jounce.parts.leverage import AXES
 
@@ -202,7 +202,7 @@ _known: Recent[_Carried] = Recent()
 
 
 def _trace_linkage(rig: Corner) -> _Carried:
-    """Lines to draw, the body that each hardpoint moves with, and which bodies stand on the car; once a structure."""
+    """Lines to draw, the body of each hardpoint, and the bodies fixed to the car; computed once per structure."""
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
     from jounce.parts.rig import structure_of
@@ -220,7 +220,7 @@ def _trace_linkage(rig: Corner) -> _Carried:
 def _brackets(
     parts: tuple[Part, ...], owners: Mapping[str, str], names: Mapping[str, tuple[float, float, float]]
 ) -> tuple[Bracket, ...]:
-    """Hold every point that its part's line does not reach; the rocker's axis is shown in the same way."""
+    """Connect every point that its part's line does not reach; the rocker's axis is shown in the same way."""
     by_name = {part.name: part for part in parts}
     brackets = []
     for name, owner in owners.items():
@@ -260,7 +260,7 @@ def _design(rig: Corner) -> Pose:
 
 
 def with_middle(points: dict[str, Array]) -> dict[str, Array]:
-    """Add the feet on the middle of the car of what reaches over to the other wheel."""
+    """Add the points on the middle of the car of parts that reach over to the other wheel."""
     flat = np.array([1.0, 0.0, 1.0])
     known = points.keys() - ({"arb_pivot"} if "arb_axis" in points else set())  # whose axis is drawn to that point
     return points | {foot: points[name] * flat for name, foot in MIDDLE.items() if name in known}
@@ -304,13 +304,13 @@ class Poses:
         return DisplayUnit("s", 1.0) if self.in_time else display_unit(self.unit)
 
     def label(self, k: int) -> str:
-        """What pose ``k`` is, e.g. ``"wheel travel 20 mm"``."""
+        """Label of pose ``k``, e.g. ``"wheel travel 20 mm"``."""
         value = self.over[k] * self.display.factor
         text = f"{value:.3f}" if self.in_time else f"{round(value, 2):+g}".replace("+0", "0")
         return f"{self.words} {text.replace('-', '−')} {self.display.name}"
 
     def pose(self, k: int) -> Pose:
-        """Give one of them."""
+        """Give pose ``k``."""
         points = {name: place[k] for name, place in self.points.items()}
         return Pose(
             points, self.spin_axis[k], self.contact[k], float(self.ground[k]), bool(self.touches[k]), self.label(k)
@@ -444,7 +444,7 @@ def _first(series: Mapping[str, Array], names: tuple[str, ...]) -> Array:
 
 
 def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
-    """Name of what a dimension without values of its own is counted by."""
+    """Name of the variable that orders a dimension without coordinates."""
     for name in ("wheel_travel", "rack_travel", "roll_angle"):
         if name in series:
             return name
@@ -495,7 +495,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
 
 
 def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
-    """Which points of a line are needed to see it; those on the straight between their neighbours are not."""
+    """Mask of the points of a line that are needed to see it; those on the straight between neighbours are not."""
     needed = np.ones(len(distance), dtype=bool)
     while True:
         at = np.flatnonzero(needed)
