@@ -101,7 +101,7 @@ def test_a_damped_tyre_feels_the_rate_of_the_road(tmp_path: Path) -> None:
     """On an arm without loops; a moved body has no velocity in MuJoCo, so that the rate is given by itself."""
     rig = jn.load("semi-trailing-arm").with_changes({"strut.damper": {"coefficient": "1.5 kN*s/m"}})
     made, model, data = opened(rig, tmp_path)
-    assert any("set the rate of the road" in str(finding) for finding in made.findings)
+    assert any("also set the road's rate" in str(finding) for finding in made.findings)
     for channel, own, theirs in driven(rig, model, data):
         np.testing.assert_allclose(theirs, own, rtol=0.0, atol=3e-3 * np.ptp(own), err_msg=channel)
 

@@ -99,7 +99,7 @@ def test_starts_that_say_different_things_leave_the_offset_of_each_trial_free():
     exact(update)
     (finding,) = said(update, "sprung.z")
     assert 'datum "free offset" taken from the start of one, two, three' in finding.message
-    assert "the starts of the trials say different things" in finding.message
+    assert "the starts of the trials contradict each other" in finding.message
 
 
 @pytest.mark.parametrize(("offset", "datum"), [("rest", "rest"), (0.0, "undeformed")])

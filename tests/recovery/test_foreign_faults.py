@@ -11,7 +11,7 @@ import pytest
 
 import jounce as jn
 
-DISTANCE, HIGH_PASS = "distance to the moving road", "behind a high pass"
+DISTANCE, HIGH_PASS = "distance to the moving road", "after a high-pass filter"
 
 
 def said(bench: Any, motions: Any, text: str, **options: Any) -> list[tuple[str, float]]:

@@ -28,7 +28,7 @@ CHANNELS = ("sprung.az", "unsprung.az")
 def accelerations(
     spring: float, damper: float, tyre: float, speed: float, corner: float | None, begun: Array | None = None
 ) -> Array:
-    """Body and wheel, m/s^2, at 1 kHz; the body's behind a low pass of that corner (Hz).
+    """Body and wheel, m/s^2, at 1 kHz; the body's after a low-pass filter of that corner (Hz).
 
     ``begun`` are heights and velocities of body and wheel from rest when the record begins (m, m/s).
     """
@@ -108,7 +108,7 @@ def test_an_undeclared_filter_is_named_and_found(align: str | None) -> None:
     truth, trials = bench(1, corner=60.0)
     plain = fitted(trials, align=align)
     assert off(plain, truth) > 0.15
-    (told,) = [found for found in plain.findings if "behind a low pass of about" in found.message]
+    (told,) = [found for found in plain.findings if "after a low-pass filter at about" in found.message]
     assert told.place == "sprung.az"
     assert told.value == pytest.approx(60.0, rel=0.1)
     freed = fitted(trials, align=align, nuisances=FILTER)
@@ -116,7 +116,7 @@ def test_an_undeclared_filter_is_named_and_found(align: str | None) -> None:
     corner = freed.nuisances["sprung.az.low_pass"]
     assert corner.value == pytest.approx(60.0, rel=4e-3)
     assert any("state it as low_pass of the sensor" in found.message for found in freed.findings)
-    assert not any("behind a low pass" in found.message for found in freed.findings)
+    assert not any("after a low-pass filter" in found.message for found in freed.findings)
 
 
 @pytest.mark.parametrize("corner", [60.0, 250.0])
@@ -226,7 +226,7 @@ def test_intervals_beside_nuisances_cover() -> None:
     for seed in range(40):
         corner, error = float(draw.uniform(40.0, 150.0)), float(draw.choice([-1.0, 1.0]) * draw.uniform(0.01, 0.04))
         truth, trials = bench(seed, corner=corner)
-        told += any("behind a low pass of about" in found.message for found in fitted(trials).findings)
+        told += any("after a low-pass filter at about" in found.message for found in fitted(trials).findings)
         found = fitted(trials, nuisances=FILTER)
         for path, one in {**found.parameters, **found.nuisances}.items():
             assert one.interval is not None

@@ -65,7 +65,7 @@ def test_stated_signs_give_the_truth(stroke, force, gas, velocity):
 def test_without_options_a_gas_force_tells_the_turned_column(stroke, force):
     result = fit_damper(*record(stroke, force), law="bilinear")
     if (stroke, force) == (-1, -1):
-        assert "stroke and force are both turned" in loud(result)[0].message
+        assert "the signs of stroke and force are both reversed" in loud(result)[0].message
     else:
         truth = {"bump_coefficient": 500.0, "rebound_coefficient": 2000.0, "offset": 60.0}
         assert values(result) == pytest.approx(truth, rel=0.01, abs=1.5)

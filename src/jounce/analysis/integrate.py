@@ -1,4 +1,4 @@
-"""Accelerations integrated to velocity and displacement without drift, with the band that holds and the error in it."""
+"""Integrate accelerations to velocity and displacement without drift; state the valid band and the error in it."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ def integrate_acceleration(
     begin: Annotated[float | str | None, BEGIN] = None,
     end: Annotated[float | str | None, END] = None,
 ) -> Integration:
-    """Integrate accelerations to velocity and displacement without drift, and say in which band they hold.
+    """Integrate accelerations to velocity and displacement without drift, and state the valid band.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A rig that measured numbers are compared with, of options: a file or a shipped name, and changes."""
+"""Options that name a rig to compare measurements with: a file or a shipped name, and changes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def compared_rig(
         Settings("Change a parameter of that rig.", "PATH=VALUE", 'strut.spring.rate="25 N/mm"'),
     ] = None,
 ) -> Rig | None:
-    """Load a rig and change its values, if one is named; refuse changes of no rig."""
+    """Load a rig and change its values, if one is named; refuse changes without a rig."""
     if rig is None and changes:
         raise DescriptionError("it changes no rig", where="changes", hint="Name the rig with --rig.")
     return None if rig is None else chosen_rig(rig, changes)

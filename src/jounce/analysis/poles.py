@@ -30,7 +30,7 @@ MOST_MODES = 6
 
 @dataclass(frozen=True)
 class Lines:
-    """Measured lines over frequency, and how what made them looks through the window.
+    """Measured spectral lines over frequency, and the spectrum of the window applied to them.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ class Lines:
     is_hann: bool = True
 
     def columns(self, poles: Complex) -> Array:
-        """What two real numbers for each pole, and smooth remainders, add to the lines; shape (n or 2 n, m)."""
+        """Contributions to the lines of two real numbers per pole and of smooth remainders; shape (n or 2 n, m)."""
         omega = 2.0 * np.pi * self.frequency
         parts: list[Complex] = []
         for pole in poles:
@@ -186,7 +186,7 @@ def _is_same(one: tuple[float, float], other: tuple[float, float], limits: tuple
 
 
 def stable_modes(found: Stabilisation, kind: Kind) -> list[tuple[float, float, int]]:
-    """Frequency (Hz), damping ratio (1) and number of orders of each mode that several orders agree on, most first."""
+    """Frequency (Hz), damping ratio (1) and number of agreeing orders of each mode, the largest number first."""
     stable = np.flatnonzero(found.is_stable)
     remaining = set(stable.tolist())
     poles = list(zip(found.frequency.tolist(), found.damping_ratio.tolist(), strict=True))
@@ -279,6 +279,6 @@ def covariance_by_groups(fit: PoleFit, lines: Lines, leave_out: Callable[[int], 
 
 
 def covariance_by_lines(fit: PoleFit, freedom: int) -> Array:
-    """Covariance (p, p) of the parameters where each line has an error of its own (White's sandwich)."""
+    """Covariance (p, p) of the parameters if each line has its own error (White's sandwich estimator)."""
     inverse = np.linalg.pinv(fit.slopes)
     return np.asarray((inverse * fit.residual**2) @ inverse.T * len(fit.residual) / max(freedom, 1))

@@ -1,4 +1,4 @@
-"""The record that is analysed: a Dataset, a table or a file, on uniform time, from one instant to another."""
+"""The record to analyse: a Dataset, a table or a file, on uniform time, between two instants."""
 
 from __future__ import annotations
 
@@ -95,13 +95,13 @@ class Measured:
         return values
 
     def highest_frequency(self, name: str) -> float:
-        """Frequency (Hz) up to which a channel was recorded: below half its own rate where that was lower."""
+        """Frequency (Hz) up to which a channel was recorded: half its own sample rate if that was lower."""
         own = self.run[name].attrs.get("recorded_rate")
         return 0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
 
 
 def measured(record: AnyRecord, begin: float | str | None = None, end: float | str | None = None) -> Measured:
-    """Read or take a record, and cut it to a stretch of time (s).
+    """Read or accept a record, and cut it to a section of time (s).
 
     Raises
     ------
@@ -135,7 +135,7 @@ def _read(record: Any) -> Measured:
 
 
 def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = ()) -> Measured:
-    """Take a recording whose time must be uniform."""
+    """Accept a recording whose time must be uniform."""
     if "time" not in run.coords:
         raise RecordingError("no time coordinate", where=name, allowed="a coordinate 'time' in s")
     time = np.asarray(run["time"].to_numpy(), dtype=float)
@@ -151,7 +151,7 @@ _EVEN = 1e-9  # of a step, by which steps may differ without a closer look
 
 
 def chosen(record: Measured, names: Sequence[str] | str | None) -> list[str]:
-    """Channels to analyse: those named, in one text or several; all of them where none is."""
+    """Channels to analyse: those named, in one text or several; all channels if none is named."""
     present = record.names
     if names is None or not len(names):
         if not present:
@@ -177,7 +177,7 @@ def check_channel(record: Measured, name: str) -> str:
 def band_of(
     record: Measured, band: tuple[float | str, float | str] | None, names: Sequence[str], lowest: float
 ) -> tuple[tuple[float, float], list[Finding]]:
-    """Frequencies (Hz) to look at: those asked for, as far as all channels were recorded."""
+    """Frequencies (Hz) to analyse: the requested ones, limited to the band in which all channels were recorded."""
     tops = {name: record.highest_frequency(name) for name in names}
     top = min(tops.values(), default=0.5 * record.rate)
     low, high = (lowest, top) if band is None else (to_si(end, "Hz", where="band") for end in band)
@@ -227,7 +227,7 @@ def band_text(band: tuple[float, float]) -> str:
 
 
 def frequency_ranges(frequency: Array, condition: NDArray[np.bool_]) -> list[tuple[float, float]]:
-    """First and last frequency of each stretch in which a condition, shape (n,), holds; the widest first.
+    """First and last frequency of each range in which a condition, shape (n,), is true; the widest first.
 
     >>> frequency_ranges(np.array([1.0, 2.0, 3.0, 4.0]), np.array([True, False, True, True]))
     [(3.0, 4.0), (1.0, 1.0)]

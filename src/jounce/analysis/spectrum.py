@@ -275,7 +275,7 @@ def segment_samples(used: Measured, segment: float | str | None, parts: int, lon
 
 
 def chi_squared_factors(freedom: float, confidence: float) -> tuple[float, float]:
-    """Factors from an estimate with so many degrees of freedom to the ends of its interval.
+    """Factors that turn an estimate with some degrees of freedom into the ends of its interval.
 
     >>> [round(factor, 3) for factor in chi_squared_factors(10.0, 0.95)]
     [0.488, 3.08]
@@ -297,7 +297,7 @@ def _channel(used: Measured, name: str, spectrum: Spectrum, band: tuple[float, f
 
 
 def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[SpectralPeak, ...]:
-    """Peaks that rise from the valleys beside them by more than two estimates of one density differ by chance."""
+    """Peaks that exceed the neighbouring valleys by more than two estimates of the same density differ by chance."""
     from scipy.signal import find_peaks
     from scipy.stats import f as f_distribution
 

@@ -76,7 +76,7 @@ class ChannelStatistics(Plain):
 
 @dataclass(frozen=True)
 class RecordStatistics(Plain):
-    """Statistics of every channel that was chosen, with what they show of the sensors.
+    """Statistics of every chosen channel, with what they reveal about the sensors.
 
     Attributes
     ----------

@@ -324,7 +324,7 @@ def _spectra(
 
 
 def whitened(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:
-    """Filter all channels so that the input has the same power at all frequencies, which no window can blur.
+    """Filter all channels so that the input has equal power at all frequencies, which prevents blurring by the window.
 
     Input and outputs pass the same filter, without phase, so that what is between them stays. Without it a road, whose
     power falls with the square of the frequency, or a wheel's acceleration, which rises with it, would leak from line
@@ -399,7 +399,7 @@ def _flattened(name: str, frequency: Array, gain: Array, error: Array, resolutio
 
 
 def sliding_model(rig: Rig) -> LinearModel:
-    """Linear model of a rig without dry friction, as it moves in large motions."""
+    """Linear model of a rig without dry friction, as in large motions."""
     frictions = {path: 0.0 for path, value in rig.parameters().items() if path.endswith("friction.force") and value}
     return linearise(rig.with_changes(frictions) if frictions else rig)
 

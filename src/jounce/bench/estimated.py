@@ -16,7 +16,7 @@ def estimated(default: Any, why: str) -> Any:
 
 
 def estimates_used(description: Description, place: str, names: tuple[str, ...] | None = None) -> list[Finding]:
-    """Report the estimated defaults that a result rests on: of the fields in ``names``, or of all."""
+    """Report the estimated defaults that a result depends on, among the fields in ``names`` or all."""
     fields = type(description).model_fields
     left = [
         f"{name} = {getattr(description, name):g}"

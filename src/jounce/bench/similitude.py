@@ -1,4 +1,4 @@
-"""Similitude: what a reduced prototype should weigh and how stiff it should be, and what the built one violates."""
+"""Similitude: the mass and stiffness that a scaled prototype should have, and the rules that the built one violates."""
 
 from __future__ import annotations
 

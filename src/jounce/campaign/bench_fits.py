@@ -1,4 +1,4 @@
-"""What files of a bench say of one part: a damper law, the damping of free decays, a stiffness."""
+"""Fits of one part to bench files: a damper law, the damping of free decays, a stiffness."""
 
 from __future__ import annotations
 
@@ -338,7 +338,7 @@ def fit_measured_decays(
 def check_decay(
     *, measured: Sequence[str], channel: str, stroke_positive: Any, figure: Path | None, **_others: Any
 ) -> None:
-    """Refuse signs that are none, and a figure of several decays."""
+    """Refuse invalid signs, and a figure of several decays."""
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     check_stroke(channel, stroke_positive, where="--stroke-positive")
     count = len(matching_files(measured, "FILE"))
@@ -389,7 +389,7 @@ def _motion_in(data: xr.Dataset, channel: str, file: str) -> tuple[Array, Motion
 
 @dataclass(frozen=True)
 class BenchFiles(Shown):
-    """Trials of a test machine as they were read: files, trials, and what reading found."""
+    """Trials of a test machine as read: files, trials, and the reader's findings."""
 
     files: Sequence[Path]
     trials: Sequence[ForceDeflectionTrial]
@@ -592,7 +592,7 @@ def _given(value: float | str | None, unit: str, where: str, most: float | None 
 
 
 def check_stiffness(*, rig: Any, part: str | None, out: Path | None, **_others: Any) -> None:
-    """Refuse a rig without a file to write, and a part of no rig."""
+    """Refuse a rig without an output file, and a part without a rig."""
     if (rig is None) != (out is None):
         raise OutputError("a rate is written from one rig into another file", where="--rig", allowed="--rig and --out")
     if part is not None and rig is None:

@@ -1,4 +1,4 @@
-"""Ours beside a published result: what is reproduced, what is not, and what follows."""
+"""Our results compared with published ones: what is reproduced, what is not, and what follows."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ REPRESENTED = 0.95
 
 @dataclass(frozen=True)
 class ReferenceComparison(Shown):
-    """One published statement beside ours.
+    """One published statement and our result.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class ReferenceComparison(Shown):
 def beside_reference(
     reference: Reference | None, strategies: Sequence[StrategyResult], trials: Sequence[TrialResult]
 ) -> list[ReferenceComparison]:
-    """Set a campaign's results beside the published ones that it states; nothing without a table ``[reference]``."""
+    """Compare a campaign's results with the published ones that it states; empty without a table ``[reference]``."""
     if reference is None:
         return []
     rows: list[ReferenceComparison] = []

@@ -1,4 +1,4 @@
-"""From bench files to the values a rig starts from, and what is known of the rig at any point of a campaign.
+"""From bench files to a rig's start values, and the current knowledge of the rig at any point of a campaign.
 
 A bench table that fails does not stop the others.
 """
@@ -44,7 +44,7 @@ TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
 
 @dataclass(frozen=True)
 class Knowledge(Shown):
-    """Rig values that hold for all trials, and the tyre's elastic law at each pressure (Pa) that has its own.
+    """Rig values that apply to all trials, and the tyre's elastic law at each pressure (Pa) that has its own.
 
     ``between`` gives the tyre at a pressure that was not measured, or None where nothing is known about pressure.
     """
@@ -74,7 +74,7 @@ class Knowledge(Shown):
         return rig.with_changes({SPRUNG_MASS: rig.parameters()[SPRUNG_MASS] + added_mass}) if added_mass else rig
 
     def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
-        """Take over fitted values; those of the tyre hold for the pressures they were fitted at, all others always."""
+        """Adopt fitted values; those of the tyre apply only at the pressures they were fitted at."""
         tyre = {path: p for path, p in fitted.items() if path.startswith(TYRE_PATHS)}
         rig = self.rig.with_changes({path: p.value for path, p in fitted.items() if path not in tyre})
         if not tyre:
@@ -121,7 +121,7 @@ class Replaced:
 
 @dataclass(frozen=True)
 class DampingChoice:
-    """What one way to read the decays means: damping ratio (1), coefficient at the sprung mass and the strut (N s/m).
+    """One interpretation of the decays: damping ratio (1), coefficient at the sprung mass and the strut (N s/m).
 
     ``at_strut`` is None where the rig's damper is no plain coefficient; ``is_used`` tells the way the campaign chose.
     """
@@ -135,7 +135,7 @@ class DampingChoice:
 
 @dataclass
 class Characterisation(Shown):
-    """What the bench says: results of each table, and which rig values they replaced.
+    """Bench results: those of each table, and which rig values they replaced.
 
     ``loaded`` holds the trials of the test machine as they were fitted, by their table: ``bench.tyre."0.31 MPa"``.
     """
@@ -156,7 +156,7 @@ class Characterisation(Shown):
 def characterise(
     rig: Rig, bench: Bench, folder: Path, sensors: Mapping[str, Sensor] | None = None
 ) -> tuple[Characterisation, Knowledge]:
-    """Evaluate all bench tables (files relative to ``folder``); give results and the rig with what was measured."""
+    """Evaluate all bench tables (files relative to ``folder``); return results and the rig with measured values."""
     found = Characterisation()
     knowledge = Knowledge(rig)
     steps: list[tuple[Callable[..., Knowledge], str, Any]] = [
@@ -370,7 +370,7 @@ def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class DecayRecord:
-    """A free decay as it was read: its file, time (s), signal (SI; compression positive), and what was said of it."""
+    """A free decay as read: its file, time (s), signal (SI; compression positive), and the reader's findings."""
 
     file: str
     time: Array
@@ -520,7 +520,7 @@ class _AtWheel:
     lever: float
 
     def swing(self, damping: float) -> tuple[float, float]:
-        """What one mass that swings as the body does with a damping (N s/m) at the wheel is held by: N s/m, N/m."""
+        """Damping (N s/m) and stiffness (N/m) of one mass that moves like the body on a wheel damping (N s/m)."""
         masses = self.sprung_mass, self.unsprung_mass
         poles = road_poles(LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
         upper = poles[poles.imag > 1e-6 * np.abs(poles)]
@@ -530,12 +530,12 @@ class _AtWheel:
         return -2.0 * self.sprung_mass * float(pole.real), self.sprung_mass * float(abs(pole)) ** 2
 
     def stiffness_behind(self, seen: float) -> float | None:
-        """Stiffness (N/m) by which that mass swings with a coefficient (N s/m); None where no damping gives that."""
+        """Stiffness (N/m) of that mass with a damping coefficient (N s/m); None if no damping at the wheel gives it."""
         found = self.damping_behind(seen)
         return None if found is None else self.swing(found[0])[1]
 
     def referred(self, seen: float) -> tuple[float, float]:
-        """Damping at the wheel (N s/m) behind that of one mass (N s/m), and its slope (1).
+        """Damping at the wheel (N s/m) that corresponds to that of one mass (N s/m), and its slope (1).
 
         What falls faster than any damping lets the body fall is referred by the share of the strut in the deflection.
         """
@@ -547,7 +547,7 @@ class _AtWheel:
         return self.tyre_rate / (self.wheel_rate + self.tyre_rate)
 
     def damping_behind(self, seen: float) -> tuple[float, float] | None:
-        """Least damping at the wheel (N s/m) whose swing one mass with a coefficient (N s/m) has, and its slope (1).
+        """Least damping at the wheel (N s/m) with the decay of one mass with a coefficient (N s/m), and its slope (1).
 
         None where there is none: the body's swing falls at most so fast, or ends, and another one is the slowest.
 

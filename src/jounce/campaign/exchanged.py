@@ -1,4 +1,4 @@
-"""Records that were exchanged between trials: each is better explained by the conditions of the other."""
+"""Detect records exchanged between trials: the conditions of the other trial explain each of them better."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ conditions leave several times as much, and other values of the rig change both 
 def better_exchanged(
     doubtful: Sequence[int], same: Callable[[int, int], bool], under: Callable[[int, int], FitTrial]
 ) -> list[Finding]:
-    """Name pairs of trials each of which the model explains much better under the conditions of the other.
+    """Name pairs of trials whose records the model explains much better with their conditions exchanged.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A campaign made of a folder: every file looked at, and the campaign written that they and the settings make."""
+"""Make a campaign from a folder: inspect every file, and write the campaign that files and settings define."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _AGREES = 0.03
 
 @dataclass(frozen=True)
 class FolderCampaign(Shown):
-    """A campaign that was made of a folder.
+    """A campaign made from a folder.
 
     Attributes
     ----------
@@ -85,7 +85,7 @@ def campaign_from_folder(
     strategies: Strategies = "default",
     force: bool = False,
 ) -> FolderCampaign:
-    """Look at every file of a laboratory's folder and write the campaign that they make.
+    """Inspect every file of a laboratory's folder and write the campaign that they define.
 
     Parameters
     ----------
@@ -475,7 +475,7 @@ class _Maker:
 
 
 def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
-    """Write the rig file of a quarter car of two masses (with units) and a strut angle (rad); the rest is a start."""
+    """Write the rig file of a quarter car with two masses (with units) and a strut angle (rad); the rest is guessed."""
     document = tomlkit.document()
     document["schema"] = "jounce.rig/1"
     document["model"] = "quarter-car"

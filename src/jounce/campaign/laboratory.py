@@ -188,7 +188,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
 
 
 def unread_headings(path: Path | str) -> list[str]:
-    """Headings of a table of trials that name nothing that jounce reads from it."""
+    """Headings of a table of trials that jounce does not read."""
     rows, head = _table_of(Path(path))
     read = {i for i, _ in _headed(rows[head]).values()}
     return [cell.strip() for i, cell in enumerate(rows[head]) if cell.strip() and i not in read]

@@ -1,4 +1,4 @@
-"""Which model do the data carry: an update repeated with simpler and richer models, and judged on what it never saw."""
+"""Which model do the data support? An update repeated with simpler and richer models, judged on held-out trials."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def compare_campaign_models(
     *,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> ModelChoice:
-    """Fit an update with other models, and say which of them the data carry.
+    """Fit an update with other models, and report which of them the data support.
 
     The rig as it is and, of a 3-D one, the quarter car equivalent to it; the tyre with one stiffness and with its
     measured cubic curve; with and without the frictions that the update frees.

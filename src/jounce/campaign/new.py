@@ -1,4 +1,4 @@
-"""A new campaign: a commented one to start from, or the one that a folder of measured files makes."""
+"""A new campaign: a commented one to start from, or one made from a folder of measured files."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class NewCampaign(Shown):
     made: FolderCampaign | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the folder with its files, or with what the measured files were taken for."""
+        """Return the folder with its files, or with the kinds recognised for the measured files."""
         more = {"files": list(self.files)} if self.made is None else self.made.to_dict()
         return {"folder": str(self.folder), **more}
 
@@ -64,7 +64,7 @@ def start_campaign(
     ] = "default",
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> NewCampaign:
-    """Write a commented campaign to start from, or the one that a folder of measured files makes.
+    """Write a commented campaign to start from, or one made from a folder of measured files.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True)
 class CampaignPosterior(Shown):
-    """A posterior with the campaign that it is of, and the files that are written of both.
+    """A posterior with its campaign, and the files written from both.
 
     Attributes
     ----------
@@ -212,7 +212,7 @@ def campaign_next_trials(
     noise_only: Annotated[bool, NOISE_ONLY] = False,
     progress: Progress = lambda _text: None,
 ) -> NextTrials:
-    """Rank trials that could be run by what they are expected to tell about an update's parameters.
+    """Rank candidate trials by the information that they are expected to give about an update's parameters.
 
     Parameters
     ----------

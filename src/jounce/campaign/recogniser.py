@@ -1,4 +1,4 @@
-"""What a file of a laboratory is: test of a spring or tyre, free decay, trial, calibration, table of trials, settings.
+"""Recognise the files of a laboratory: spring or tyre test, free decay, trial, calibration, table of trials, settings.
 
 By its columns, their units and the shape of what they hold; names of files add what columns cannot tell.
 """
@@ -92,7 +92,7 @@ class RecognisedFile(Shown):
 
 
 def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[RecognisedFile]:
-    """Look at every file of a folder and say what it seems to be.
+    """Recognise the kind of every file of a folder.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
 
 
 def recognised(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
-    """Say what one file seems to be; see :func:`recognise`."""
+    """Recognise the kind of one file; see :func:`recognise`."""
     if file.suffix == ".toml":
         text = file.read_text(encoding="utf-8", errors="replace")
         is_settings = "jounce.laboratory/" in text

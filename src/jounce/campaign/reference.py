@@ -37,7 +37,7 @@ class ReferenceUpdate(Description):
 
 
 class Reference(Description):
-    """A published result that a campaign is set beside.
+    """A published result to compare a campaign with.
 
     Attributes
     ----------

@@ -134,7 +134,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
 
 
 def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig, Knowledge]:
-    """Read a campaign, refuse what cannot be meant, and characterise: ready for updates.
+    """Read a campaign, refuse implausible entries, and characterise: ready for updates.
 
     Gives what runs them, the rig as described, and what is known before any update.
     """
@@ -194,7 +194,7 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
 
 
 def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], list[Finding]]]:
-    """What is refused before any work is done; ``jounce check`` does all of it, too."""
+    """Checks made before any work starts; ``jounce check`` makes all of them, too."""
     return [
         partial(check, campaign, rig, file)
         for check in (_check_sensors, check_strut_angles, _check_adjustments, _check_masses, _check_updates)
@@ -211,7 +211,7 @@ def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
 
 
 def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
-    """Refuse angles that this rig's strut cannot take; list those that the literature rejects."""
+    """Refuse angles that this rig's strut cannot have; list those that the literature rejects."""
     findings: list[Finding] = []
     for i, entry in enumerate(campaign.trial):
         if entry.strut_angle is None:
@@ -371,7 +371,7 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
 
 @dataclass
 class Runner:
-    """What runs the updates of a campaign and compares trials with the model."""
+    """Runs the updates of a campaign and compares trials with the model."""
 
     campaign: Campaign
     folder: Path
@@ -399,7 +399,7 @@ class Runner:
         )
 
     def place_trials(self, knowledge: Knowledge) -> None:
-        """Find where each record meets its obstacle, and let the model meet it then; see `jounce.campaign.belt`."""
+        """Find when each record meets its obstacle, and align the model with it; see `jounce.campaign.belt`."""
         self.as_read = dict(self.loaded)
         for number, item in list(self.loaded.items()):
             if item.entry.road is None:
@@ -529,7 +529,7 @@ class Runner:
         return [self.loaded[number] for number in entry.trials]
 
     def compare_strategies(self, strategies: list[StrategyResult]) -> list[StrategyResult]:
-        """Hold every update against all trials, before and after it."""
+        """Compare every update with all trials, before and after it."""
         compared = []
         for k, strategy in enumerate(strategies, 1):
             self.progress(
@@ -557,7 +557,7 @@ class Runner:
         return [self._compare(entry, start, final, lags, offsets, aligned) for entry in self.campaign.trial]
 
     def exchanged_conditions(self, knowledge: Knowledge, trials: Sequence[TrialResult]) -> list[Finding]:
-        """Name records that the conditions of another trial explain better, each the other's."""
+        """Name pairs of records that each other's conditions explain better."""
         known = {item.place for item in self.findings if item.code == "campaign.trials_exchanged"}
         left = {
             trial.entry.number: min(channel.r2 for channel in trial.after.channels.values())
@@ -593,7 +593,7 @@ class Runner:
         return replace(found, peaks=tuple(peaks))
 
     def poses(self, trials: list[TrialResult]) -> dict[float | None, xr.Dataset]:
-        """Poses over the travel of all trials of each strut angle; none of a lumped rig or where it cannot move so."""
+        """Poses over the travel of all trials at each strut angle; none for a lumped rig or if it cannot reach them."""
         found: dict[float | None, xr.Dataset] = {}
         for angle in dict.fromkeys(trial.entry.strut_angle for trial in trials):
             motions = [t.motion for t in trials if t.motion is not None and t.entry.strut_angle == angle]

@@ -1,4 +1,4 @@
-"""Truths that come with jounce, by name and file: known without loading them."""
+"""Shipped truths, by name and file: listed without loading them."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from jounce.core.files import shipped_files
 
 
 def truth_library() -> dict[str, Path]:
-    """Truths that come with jounce: name to file."""
+    """Shipped truths: name to file."""
     return shipped_files("jounce.campaign", "library")

@@ -1,4 +1,4 @@
-"""Where can a misfit at some speeds come from? Response and sensitivity of a rig over speed, and residuals by speed."""
+"""Where does a misfit at some speeds come from? Response and sensitivity over speed, and residuals by speed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def speed_sweep(
     parameters: Sequence[str] = PARAMETERS,
     output_step: float = 1e-3,
 ) -> xr.Dataset:
-    """Drive a rig over a road at many speeds and say what it does and which parameters rule it.
+    """Drive a rig over a road at many speeds; report its response and the parameters that govern it.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def _numbers(signal: dict[str, Array], output_step: float) -> dict[str, float]:
 
 
 def misfit_against_speed(result: CampaignResult) -> xr.Dataset:
-    """Lay out what is left between measurement and model of an evaluated campaign, against speed and pitch.
+    """Tabulate the residuals of an evaluated campaign against speed and pitch.
 
     On ``trial`` (number): ``speed`` (m/s), ``pitch`` (m; NaN for a single obstacle), ``use`` ("fit" or "hold-out") and
     ``verdict``; on ``trial`` and ``channel``: ``nrmse_before`` and ``nrmse`` (r.m.s. of measured minus simulated over

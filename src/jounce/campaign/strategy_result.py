@@ -1,4 +1,4 @@
-"""Updates with what was known before and after them, and all trials compared."""
+"""Updates with the knowledge before and after them, and the comparison of all trials."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jounce.identify.update import UpdateResult
 
 @dataclass(frozen=True)
 class StrategyTrial:
-    """One trial before and after one update, which was fitted on it (``is_fitted``) or not; None: it did not run."""
+    """One trial before and after one update, fitted on it or not (``is_fitted``); None if it did not run."""
 
     number: int
     is_fitted: bool
@@ -24,7 +24,7 @@ class StrategyTrial:
 
 @dataclass(frozen=True)
 class StrategyResult(Shown):
-    """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared.
+    """One update: the knowledge before (``start``) and after it, the trials it was fitted on, and all comparisons.
 
     ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
     ``truth`` has the values behind synthetic recordings, as a test machine would find them, by path (SI), where they

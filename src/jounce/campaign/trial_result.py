@@ -62,7 +62,7 @@ class TrialComparison:
 
 @dataclass(frozen=True)
 class TrialMotion:
-    """What the model did in a trial: the rig as it was set up, and every output (SI) over time (s)."""
+    """The model's run of a trial: the rig as set up, and every output (SI) over time (s)."""
 
     rig: Rig
     trial: Trial

@@ -1,4 +1,4 @@
-"""What a virtual bench really is: the rig with the values that a campaign is to find, its belt, its sensors."""
+"""The truth of a virtual bench: the rig with the values that a campaign should find, its belt, its sensors."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class StandingTyre(Description):
 
 
 class BeltImperfections(Description):
-    """What the wheel meets beside the obstacle's shape.
+    """What the wheel meets in addition to the obstacle's shape.
 
     Attributes
     ----------
@@ -79,14 +79,14 @@ class BeltImperfections(Description):
 
 
 class TruePass(Description):
-    """What a pass really was: speed (m/s) behind its noted decimals, and how late its recording started (s)."""
+    """The truth of a pass: its exact speed (m/s), and how late its recording started (s)."""
 
     speed: PositiveSpeed
     lag: Annotated[float, Unit("s")] = 0.0
 
 
 class BenchTruth(Description):
-    """The values behind the recordings of a virtual bench, which a campaign is not told.
+    """The true values behind the recordings of a virtual bench, hidden from the campaign.
 
     Attributes
     ----------
@@ -153,7 +153,7 @@ class BenchTruth(Description):
         return self
 
     def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
-        """Give the rig as it is, with the rolling tyre of a pressure (Pa; None: the first of ``tyre``)."""
+        """Return the true rig, with the rolling tyre at a pressure (Pa; None: the first of ``tyre``)."""
         described = load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
         whole_first = dict(sorted(self.changes.items(), key=lambda change: len(split_path(change[0]))))
         rig = described.with_changes(whole_first) if self.changes else described
@@ -171,7 +171,7 @@ class BenchTruth(Description):
         return rig.with_changes({"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}})
 
     def curve_at(self, pressure: float | None) -> tuple[float, ...] | None:
-        """Give the coefficients of the rolling tyre at a pressure (Pa), SI; None where the rig's own tyre holds."""
+        """Return the coefficients of the rolling tyre at a pressure (Pa), SI; None if the rig's own tyre applies."""
         by_pressure = {to_si(name, "Pa"): curve for name, curve in self.tyre.items()}
         return by_pressure.get(next(iter(by_pressure), None) if pressure is None else pressure)  # type: ignore[arg-type]
 

@@ -1,4 +1,4 @@
-"""Rig files of a campaign: the described file with what was measured and fitted, and where each value is from."""
+"""Rig files of a campaign: the described file with measured and fitted values, and the origin of each value."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def pressures_of(campaign: Campaign) -> dict[str, float | None]:
 def updated_rigs(
     campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult]
 ) -> dict[str, str]:
-    """Give a rig file for each tyre pressure, after the last of some updates that follow one another.
+    """Return a rig file for each tyre pressure, after the last of several consecutive updates.
 
     ``text`` is the campaign's rig file. Values that were measured or fitted say so in a comment, with their 95 %
     interval; ``source`` and ``estimated`` are rewritten, and comments on values that changed are dropped.

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def add_commands(app: typer.Typer, group: str) -> None:
-    """Add the commands of the operations whose words begin with ``group``; of a single word where it is empty."""
+    """Add the commands of the operations whose words begin with ``group``; those of a single word if it is empty."""
     for operation in operations().values():
         first, _, name = operation.command.rpartition(" ")
         if first == group:
@@ -91,7 +91,7 @@ def _python_name(parameter: Parameter) -> str:
 
 
 def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
-    """Run an operation with what the command line gave, write what is asked for, and answer."""
+    """Run an operation with the arguments of the command line, write the requested files, and reply."""
     asked = {offer: given[OUTPUTS[offer].option] for offer in operation.offers}
     files = Files(asked, given.get("force", False), _own(operation))
     files.check()

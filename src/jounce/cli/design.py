@@ -41,7 +41,7 @@ def kinematic_front(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Find hardpoints between goals that compete: designs of which none is better in every goal than another.
+    """Find the Pareto front of hardpoints for competing goals.
 
     Targets with the same goal = "..." belong together; those that must hold are kept within their tolerances.
 

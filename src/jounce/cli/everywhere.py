@@ -30,7 +30,7 @@ _PANEL = "Everywhere"
 
 @contextmanager
 def as_usual() -> Iterator[None]:
-    """Forget after a block what one command line asked for."""
+    """Reset the display options of one command line after a block."""
     before = VIEW.every_row, VIEW.opens
     VIEW.every_row, VIEW.opens = False, False
     try:
@@ -72,7 +72,7 @@ _TAKEN: Mapping[str, Callable[[Any], None]] = {"open_": _open, "every_row": _all
 
 
 def completed(command: Any) -> Any:
-    """The same command and those in it, with what every one of them has."""
+    """The same command and its subcommands, with the options that all of them share."""
     inner = getattr(command, "commands", None)
     if inner is None:
         command.params += [
@@ -151,7 +151,7 @@ _WORDS = {
 
 
 def word_of(parameter: Any, kind: Any) -> str | None:
-    """What stands for the value of an option in the help: nothing for a switch, choices, or a word of the field.
+    """Placeholder for the value of an option in the help: nothing for a switch, choices, or a word of the field.
 
     Arguments keep theirs. The kind is that of the signature: Typer's own classes differ from version to version.
     """
@@ -174,7 +174,7 @@ def word_of(parameter: Any, kind: Any) -> str | None:
 
 
 def open_pages(plain: Mapping[str, Any]) -> None:
-    """Open the page that a command has written, where it was asked for; where there is none, that is said."""
+    """Open the page that a command has written, if requested; say so if there is none."""
     if not VIEW.opens:
         return
     import webbrowser

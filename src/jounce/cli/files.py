@@ -1,4 +1,4 @@
-"""``jounce check``, ``jounce library`` and ``jounce import``: what is in a file, what is shipped, what others wrote."""
+"""``jounce check``, ``jounce library`` and ``jounce import``: checks, the shipped library, files of other programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options that several commands share, how their text becomes values, and files refused before the work."""
+"""Options that several commands share, the conversion of their text to values, and early checks of files."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ Database = Annotated[
 
 
 def shipped(*packages: str) -> Callable[[str], list[str]]:
-    """Give a function that completes names of what is shipped in these packages; a shell completes files itself."""
+    """Return a function that completes names of the files shipped in these packages; a shell completes files itself."""
 
     def complete(incomplete: str) -> list[str]:
         from jounce.core.files import shipped_files
@@ -189,7 +189,7 @@ def check_outputs(
 def write_picture(
     result: object, figure: Path | None, title: str = "", *, force: bool
 ) -> tuple[str | None, Sequence[Finding]]:
-    """Draw a result, or what a function draws, into the file, if one is asked for, with what it shows above it.
+    """Draw a result, or the drawing of a function, into the file, if one is requested, with its title above it.
 
     It gives the file's name, and what could not be drawn: that loses no result.
     """
@@ -241,7 +241,7 @@ def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:
 
 
 def warn_of(rig: Rig, name: str) -> None:
-    """Say on stderr what looks wrong with a rig; notes are left to ``jounce check``."""
+    """Warn on stderr of implausible values of a rig; notes are left to ``jounce check``."""
     from jounce.parts import rig_findings
 
     for found in rig_findings(rig, name):

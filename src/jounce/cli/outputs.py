@@ -1,4 +1,4 @@
-"""Files that a command writes of its result: how each is asked for, refused before the work, and written."""
+"""Files that a command writes from its result: how each is requested, checked before the work, and written."""
 
 from __future__ import annotations
 

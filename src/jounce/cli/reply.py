@@ -57,7 +57,7 @@ class Reply:
 
 @contextmanager
 def drawing() -> Iterator[list[Finding]]:
-    """Give a list that takes what cannot be drawn in the block: what was computed is told all the same."""
+    """Collect the figures that cannot be drawn in a block; the results are still printed."""
     missing: list[Finding] = []
     try:
         yield missing
@@ -106,7 +106,7 @@ def print_json(plain: Mapping[str, Any]) -> None:
 
 
 def make_streams_usable() -> None:
-    """Let closed streams lead nowhere, those that are not Unicode show names whole, and widths be a terminal's."""
+    """Discard output to closed streams, show names in full on other encodings, and use the terminal's width."""
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):  # the next file would have their numbers
         if getattr(sys, name) is None:
             setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
@@ -122,7 +122,7 @@ _NARROWEST, _WIDEST = 20, 1000  # characters of a line that can be read
 
 
 def lead_nowhere(stream: TextIO) -> None:
-    """Let what Python flushes at its end go nowhere."""
+    """Discard what Python flushes when it exits."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
@@ -149,7 +149,7 @@ def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> 
 
 
 def tell(message: str, *, program: str = "jounce: ") -> None:
-    """Write one message to stderr, where somebody reads it."""
+    """Write one message to stderr, if it is open."""
     try:
         sys.stderr.write(f"{program}{visible(encodable(message, sys.stderr.encoding or 'utf-8'))}\n")
         sys.stderr.flush()
@@ -158,7 +158,7 @@ def tell(message: str, *, program: str = "jounce: ") -> None:
 
 
 class Elapsed:
-    """What is being done, for how long already, and where its share is known (`Stage`), how long still.
+    """The current work, its elapsed time and, if its completed share is known (`Stage`), the remaining time.
 
     Parameters
     ----------
@@ -173,14 +173,14 @@ class Elapsed:
         self._phase, self._since, self._from, self._heard = "", self.started, 0.0, self.started
 
     def say(self, text: str) -> None:
-        """Take what is being done now."""
+        """Store what is being done now."""
         self.said, self._heard = text, self.clock()
         phase = getattr(text, "phase", text.partition(":")[0])
         if phase != self._phase:
             self._phase, self._since, self._from = phase, self._heard, self.share() or 0.0
 
     def share(self) -> float | None:
-        """Share done of what is being done, 0 to 1; None where that is not known."""
+        """Completed share of the current work, 0 to 1; None if unknown."""
         share: float | None = getattr(self.said, "share", None)
         return share
 
@@ -205,7 +205,7 @@ class Elapsed:
         return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left and left >= 1.0 else "")
 
     def left(self) -> float | None:
-        """Time (s) that what is being done still takes, judged by its share done; None where nothing tells."""
+        """Remaining time (s) of the current work, estimated from its completed share; None if unknown."""
         return self._left(self.clock())
 
     def _left(self, now: float) -> float | None:
@@ -240,7 +240,7 @@ _FOLLOWER: ContextVar[Callable[[Elapsed], None] | None] = ContextVar("follower",
 
 @contextmanager
 def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
-    """Have a function called whenever a command in the block says what it does, or waits for, from whichever thread."""
+    """Call a function whenever a command in the block reports what it does or waits for, from any thread."""
     before = _FOLLOWER.set(follower)
     try:
         yield

@@ -137,7 +137,7 @@ class Controller(Description):
         raise NotImplementedError
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002 - others need it
-        """Numbers of the law for a corner, SI; none by default."""
+        """Parameters of the law for a corner, SI; none by default."""
         return {}
 
     def beside(self, folder: Path) -> Self:  # noqa: ARG002 - others need it

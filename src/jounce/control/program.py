@@ -93,7 +93,7 @@ def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerMod
 
 
 def sensor_noise(noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int) -> Array:
-    """White noise of the sensors, shape (instants, channels), SI; no rows where there is none.
+    """White noise of the sensors, shape (instants, channels), SI; no rows without noise.
 
     ``noise`` is the standard deviation by channel; a channel without its corner applies to every corner.
     """

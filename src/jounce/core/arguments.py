@@ -81,7 +81,7 @@ def guarded(function: Function, name: str) -> Function:
 def misfit(
     function: Callable[..., Any], arguments: tuple[Any, ...], options: Mapping[str, Any]
 ) -> DescriptionError | None:
-    """The error about the first argument that does not fit its annotation; None where all do."""
+    """The error about the first argument that does not fit its annotation; None if all fit."""
     signature = inspect.signature(function)
     try:
         given = signature.bind(*arguments, **options).arguments
@@ -175,7 +175,7 @@ def _members(hint: Any) -> tuple[Any, ...]:
 
 
 class ArrayLikeNumbers:
-    """Whatever NumPy makes an array of numbers of."""
+    """Anything that NumPy converts to an array of numbers."""
 
 
 def _is_mapping(origin: Any) -> bool:

@@ -1,4 +1,4 @@
-"""Child processes: started with pipes or split off, watched, limited and ended, whatever they are for."""
+"""Child processes: started with pipes or forked, watched, limited and ended."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from jounce.core.errors import resource_error
 
 
 class ChildProcess:
-    """A process that is asked and answers through pipes.
+    """A process that receives requests and answers through pipes.
 
     Parameters
     ----------
@@ -57,11 +57,11 @@ class ChildProcess:
         self._stdin, self._stdout = self.process.stdin, self.process.stdout
 
     def send(self, content: bytes) -> None:
-        """Write to its standard input; OSError where it has ended."""
+        """Write to its standard input; OSError if it has ended."""
         self._stdin.write(content)
 
     def read(self, count: int, patience: float | None = None) -> bytes:
-        """Read so many bytes of its answer; EOFError where it has ended, TimeoutError where none comes for that long.
+        """Read some bytes of its answer; EOFError if it has ended, TimeoutError if none arrives in time.
 
         Windows cannot wait for a pipe: there it has all the time.
         """
@@ -70,7 +70,7 @@ class ChildProcess:
         return bytes(self.fill(bytearray(count)))
 
     def fill(self, room: Any) -> Any:
-        """Read its answer into a buffer; EOFError where it has ended before that is full."""
+        """Read its answer into a buffer; EOFError if it ends before the buffer is full."""
         view, got = memoryview(room), 0
         while got < len(view):
             count = self._stdout.readinto(view[got:])  # type: ignore[attr-defined]
@@ -80,7 +80,7 @@ class ChildProcess:
         return room
 
     def kill(self) -> None:
-        """End it at once, in a session of its own with what it has started."""
+        """End it at once, with all processes that it started in its session."""
         with contextlib.suppress(OSError):
             if self._is_own_session and os.name == "posix":
                 os.killpg(self.process.pid, signal.SIGKILL)
@@ -88,7 +88,7 @@ class ChildProcess:
                 self.process.kill()
 
     def end(self, patience: float = 0.0) -> None:
-        """Close its pipes, wait so long (s) for it to end by itself, and kill it otherwise."""
+        """Close its pipes, wait some time (s) for it to end by itself, and kill it otherwise."""
         for pipe in (self._stdin, self._stdout):
             with contextlib.suppress(OSError):
                 pipe.close()
@@ -105,7 +105,7 @@ _BETWEEN_LOOKS = 0.25  # s: a process may take too much for so long
 
 
 class ProcessWatch(threading.Thread):
-    """Ends a child that takes too long by the clock or, where the system limits no memory but tells it, too much."""
+    """Ends a child that exceeds its time or, on systems that report but do not limit memory, its memory."""
 
     def __init__(self, process: subprocess.Popen[bytes], seconds: float, memory: float) -> None:
         super().__init__(daemon=True)
@@ -114,7 +114,7 @@ class ProcessWatch(threading.Thread):
         self.is_late = self.is_too_large = False
 
     def run(self) -> None:
-        """Look at it until it has answered."""
+        """Watch it until it has answered."""
         while (left := self.end - time.monotonic()) > 0.0:
             if self.over.wait(left if LIMITS_MEMORY else min(left, _BETWEEN_LOOKS)):
                 return
@@ -162,7 +162,7 @@ def _memory_on_windows(handle: int) -> float:
 
 
 def limit(memory: float, seconds: float) -> None:
-    """Bound memory and computing time from now on, where the system can."""
+    """Limit memory and computing time from now on, if the system can."""
     try:
         import resource
     except ImportError:  # Windows: the clock of the parent alone
@@ -194,7 +194,7 @@ def _used_memory() -> float:
 
 
 def resident_memory() -> float:
-    """Bytes that this process really takes (libraries reserve many times more); 0 where the system does not tell."""
+    """Bytes that this process actually uses (libraries reserve far more); 0 if the system does not report it."""
     return _memory_told(1)
 
 
@@ -214,7 +214,7 @@ _PIECE = 1 << 20
 def bytes_from_fork(
     make: Callable[[], bytes], lock: contextlib.AbstractContextManager[Any], longest: float
 ) -> bytes | None:
-    """Give what ``make`` makes in a fork of this process; None where it raises, crashes or takes longer (s).
+    """Return the result of ``make`` in a fork of this process; None if it raises, crashes or exceeds its time (s).
 
     The process splits while ``lock`` is held, which the child needs free.
     """

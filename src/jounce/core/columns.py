@@ -294,7 +294,7 @@ _DOS_END, _SECTOR = b"\x1a", 512
 
 
 def text_of(file: Path) -> str:
-    """Text of a file of columns; what is binary, missing or larger than the memory is refused."""
+    """Text of a file of columns; refuse binary or missing files and those larger than the memory."""
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
     with reading(file, RecordingError):
         content = file.read_bytes()

@@ -24,7 +24,7 @@ def command_line(words: Iterable[str]) -> str:
 
 
 def words_of(line: str) -> list[str]:
-    """Words of a line that ``command_line`` has made on this system.
+    """Words of a line made by ``command_line`` on this system.
 
     >>> words_of(command_line(["jounce", "check", "front axle.toml"]))
     ['jounce', 'check', 'front axle.toml']
@@ -44,5 +44,5 @@ def _for_windows(word: str) -> str:
 
 
 def typed_command(word: str) -> str:
-    """Give the command line of this process where its command is that word; empty for any other process."""
+    """Return the command line of this process if its command is that word, otherwise an empty text."""
     return command_line(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == [word] else ""

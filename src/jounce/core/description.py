@@ -98,7 +98,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return self.changed(**(update or {}))
 
     def changed(self, **fields: Any) -> Self:
-        """Return a copy with other values, checked as a whole; what was left to its default stays so."""
+        """Return a copy with other values, checked as a whole; defaults that were not set stay unset."""
         own = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
         return type(self)(**{**own, **fields})
 
@@ -127,7 +127,7 @@ _LARGEST = 5_000_000  # bytes: larger than any description
 
 
 def description_text(path: Path | str) -> str:
-    """Text of a file that is no larger than a description; UnicodeDecodeError where it is none.
+    """Text of a file of at most the size of a description; UnicodeDecodeError if it is not text.
 
     It is in UTF-8, or has the mark of UTF-16 in front, as what PowerShell and editors of Windows write.
     """
@@ -185,7 +185,7 @@ _PLACE_IN_TOML = re.compile(
 
 
 def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
-    """Give the error of a text that is no TOML, with its line."""
+    """Return the error of a text that is not TOML, with its line."""
     parts = _PLACE_IN_TOML.fullmatch(str(error))
     if parts is None:
         reason: str = Phrase(str(error))

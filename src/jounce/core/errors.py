@@ -90,7 +90,7 @@ class Message(Phrase):
         return _message, self._parts
 
     def german(self) -> str | None:
-        """The same in German; None where what is wrong has none."""
+        """The same in German; None without a German text."""
         where, what, found, allowed, hint = self._parts
         wrong = german_of(what)
         if wrong is None:
@@ -248,7 +248,7 @@ def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = Joun
 
 
 def shown(value: object) -> str:
-    """A value as messages show it: text in quotes, anything of a length that can be read.
+    """A value as messages show it: text in quotes, and all values cut to a readable length.
 
     >>> shown("5 mm"), shown([0.1, 0.2])
     ("'5 mm'", '[0.1, 0.2]')
@@ -263,7 +263,7 @@ def shown(value: object) -> str:
 
 
 def as_found(value: object) -> str:
-    """A value of a file as errors keep it: its text, which is quoted in messages if it was one.
+    """A value of a file as stored in errors: its text, quoted in messages if the value was text.
 
     >>> as_found("5 mm"), shown(as_found("5 mm")), shown(as_found(5))
     ('5 mm', "'5 mm'", '5')

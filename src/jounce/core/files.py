@@ -142,7 +142,7 @@ def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str,
 def chosen_file(
     name: Path | str, shipped: Mapping[str, Path], what: str, *, others: str = "a path to a .toml file"
 ) -> Path:
-    """Find what a user names: a path (which is taken for one by its suffix, or because it exists), or a shipped file.
+    """Find the file that a user names: a path (recognised by its suffix, or because it exists), or a shipped file.
 
     >>> chosen_file("eusama", {"eusama": Path("library/eusama.toml")}, "tester").name
     'eusama.toml'
@@ -163,7 +163,7 @@ def chosen_file(
 
 
 def matching_files(names: Sequence[str], where: str) -> list[Path]:
-    """Give paths as they are, and the files that match patterns which no shell has expanded."""
+    """Return paths unchanged, and expand patterns that the shell has not expanded."""
     matching: list[Path] = []
     for name in names:
         path = Path(name)

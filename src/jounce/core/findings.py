@@ -16,7 +16,7 @@ from jounce.core.text import shortened
 
 @dataclass(frozen=True)
 class Finding(Shown):
-    """One thing the reader of a result must know.
+    """One thing that the reader of a result should know.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Finding(Shown):
         return f"{self.severity}: {self.place}: {self.message}"
 
     def said(self, language: Language = "en", *, decimal: str = ".") -> str:
-        """Give its sentence in a language; the message where it has no code that is known.
+        """Return its sentence in a language; the message if its code is unknown.
 
         Parameters
         ----------
@@ -91,7 +91,7 @@ def _text_of(error: Exception) -> str:
 
 
 def at_place(place: str, item: Finding) -> Finding:
-    """Give the same finding of another place."""
+    """Return the same finding at another place."""
     return replace(item, place=place)
 
 
@@ -124,7 +124,7 @@ def with_german(plain: Any) -> Any:
 
 
 def translations(plain: Any) -> dict[str, str]:
-    """German of the phrases that stand in plain data by themselves, by their English.
+    """German of the single phrases in plain data, by their English.
 
     >>> translations({"failed": {"a": Phrase("out of range"), "b": "b"}})
     {'out of range': 'außerhalb des Bereichs'}
@@ -140,7 +140,7 @@ def translations(plain: Any) -> dict[str, str]:
 
 
 def for_page(plain: Mapping[str, Any]) -> Any:
-    """Give an answer as a page needs it: with German beside findings and errors, and by text in ``translations``."""
+    """Return an answer as a page needs it: with German for findings and errors, and by text in ``translations``."""
     texts = translations({name: item for name, item in plain.items() if name != "error"})
     return with_german(plain) | ({"translations": texts} if texts else {})
 
@@ -177,7 +177,7 @@ def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
 
 
 def not_drawn(place: str, error: Exception) -> Finding:
-    """A problem with drawing, which is one of a picture or a page and never of what was computed."""
+    """A problem with drawing a picture or a page; the computed results are not affected."""
     text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shortened(str(error), 300)}"
     return finding("core.not_drawn", place, error=text.rstrip("."))
 

@@ -1,4 +1,4 @@
-"""Numbers and arrays of other libraries as floats, and the unit that they carry.
+"""Convert numbers and arrays of other libraries to floats and their unit.
 
 Libraries are known by what their objects offer (``__array__``, ``magnitude`` and ``units``, ``attrs``) and not
 imported.
@@ -20,7 +20,7 @@ from jounce.core.types import Array
 
 
 def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple[Array, str]:
-    """Floats, and the unit that they carry; empty for none."""
+    """Floats and their unit, empty without one."""
     try:
         array, unit = _numbers(values)
         if array.dtype.kind not in "mM":

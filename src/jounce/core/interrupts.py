@@ -1,4 +1,4 @@
-"""Ctrl-C and the system's request to end: before a command runs, and in the midst of a library that cannot take it."""
+"""Ctrl-C and the system's request to end: before a command runs, and inside libraries that cannot handle it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def leave(number: int, _: FrameType | None) -> NoReturn:
 
 
 def signal_of(error: BaseException) -> int:
-    """Return the number of the signal that an interrupt is the answer to."""
+    """Return the number of the signal that caused an interrupt."""
     return next((number for number in error.args if number in _SIGNALS), signal.SIGINT)
 
 

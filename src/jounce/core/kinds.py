@@ -1,4 +1,4 @@
-"""Registries without a list: rows that modules add, and families of descriptions that a class joins when written."""
+"""Registries without a central list: rows added by modules, and families of descriptions that subclasses join."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Rows(Mapping[str, Row]):
         self._complete, self._lock = False, RLock()
 
     def add(self, name: str, row: Row) -> None:
-        """Take a row in."""
+        """Add a row."""
         self._rows[name] = row
 
     def _all(self) -> dict[str, Row]:

@@ -1,4 +1,4 @@
-"""XML of foreign files, read without document types: entities that grow beyond all memory are declared there."""
+"""XML of foreign files, read without document types, which can declare entities that exhaust the memory."""
 
 from __future__ import annotations
 

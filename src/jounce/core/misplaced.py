@@ -1,4 +1,4 @@
-"""Errors of validators, with which descriptions refuse values: their parts are data, not a text."""
+"""Errors of the validators of descriptions: their parts are data, not a text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Public names that have another one now: they still work, and say what to write instead."""
+"""Renamed public names: the old ones still work, and warn what to write instead."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 def with_old_names(
     module: str, old: Mapping[str, str], load: Callable[[str], Any] | None = None
 ) -> Callable[[str], Any]:
-    """Return the ``__getattr__`` of a module that gives what has a new name by its ``old`` one, and warns.
+    """Return a module's ``__getattr__`` that resolves ``old`` names to new ones, with a warning.
 
     ``load`` gives what else the module does not hold.
     """

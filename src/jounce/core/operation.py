@@ -38,15 +38,15 @@ class Mark:
     is_repeated: ClassVar[bool] = False
 
     def read(self, given: Any, where: str) -> Any:  # noqa: ARG002 - of those that convert
-        """Convert what was given into what the function takes; errors name the option ``where``."""
+        """Convert the given values to those that the function takes; errors name the option ``where``."""
         return given
 
     def texts(self, given: Any) -> list[str]:
-        """Write what was given as values of the option, one for each time that it is repeated."""
+        """Write the given values as values of the option, one for each repetition."""
         return [str(given)]
 
     def python(self, given: Any, where: str) -> str:
-        """Write what was given as Python."""
+        """Write the given values as Python."""
         return repr(self.read(given, where))
 
 
@@ -217,7 +217,7 @@ MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 @dataclass(frozen=True)
 class MadeBy:
-    """A value that several options make: they are the parameters of its maker.
+    """A value built from several options: the parameters of its maker.
 
     Attributes
     ----------
@@ -232,7 +232,7 @@ class MadeBy:
 
 @dataclass(frozen=True)
 class Registration:
-    """What a function is registered with; see :func:`operation`."""
+    """The registration of a function; see :func:`operation`."""
 
     function: Callable[..., Any]
     command: str

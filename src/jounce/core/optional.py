@@ -1,4 +1,4 @@
-"""Packages that come with an extra: import them, or say what to install."""
+"""Packages of optional extras: import them, or say what to install."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jounce.core.errors import JounceError
 
 
 class MissingPackageError(JounceError):
-    """A package is needed that is not installed."""
+    """A required package is not installed."""
 
 
 def require(module: str, extra: str) -> ModuleType:

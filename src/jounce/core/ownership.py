@@ -1,4 +1,4 @@
-"""Files that are executed: refuse those that another user could have written.
+"""Refuse files to be executed that another user could have written.
 
 A checksum tells damage, not purpose: whoever can write a file of code has it run by whoever uses jounce. Trusted are
 the user, root, and whoever may write jounce itself; nobody else may be able to write the file, its folder, or any

@@ -17,7 +17,7 @@ _PACKAGES = Path(__file__).parent.parent
 
 
 class Phrase(str):
-    """A text that keeps the template and the fields that it was made of.
+    """A text that keeps its template and fields.
 
     The template is English, with fields in braces as of `str.format`; it is the key of the German. Fields are given by
     their names: numbers, texts, other phrases. A text without fields may have any braces.
@@ -43,7 +43,7 @@ class Phrase(str):
         return _phrase, (self._template, self._fields)
 
     def german(self) -> str | None:
-        """The same in German; None where no row has its template."""
+        """The same in German; None if no row has its template."""
         template = _rows().get(self._template)
         if template is None or not self._fields:
             return template
@@ -51,7 +51,7 @@ class Phrase(str):
 
 
 class Phrases(Phrase):
-    """Several phrases in a row; German where one of them is.
+    """Several phrases in a row; in German if any of them has German.
 
     Examples
     --------
@@ -74,7 +74,7 @@ class Phrases(Phrase):
         return Phrases, (self._mark, self._items)
 
     def german(self) -> str | None:
-        """The same in German; None where none of them has German."""
+        """The same in German; None if none of them has German."""
         if not any(isinstance(item, Phrase) and item.german() for item in self._items):
             return None
         return self._mark.join(map(in_german, self._items))
@@ -101,7 +101,7 @@ class Translated(Phrase):
 
 
 def german_of(text: str) -> str | None:
-    """German of a text; None where it has none.
+    """German of a text; None if there is none.
 
     >>> german_of("out of range"), german_of("front_left")
     ('außerhalb des Bereichs', None)

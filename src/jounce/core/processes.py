@@ -16,7 +16,7 @@ from jounce.core.errors import NO_THREAD, JounceError
 
 
 def refusal() -> JounceError | None:
-    """Why workers cannot be started here; None where they can.
+    """Reason why workers cannot be started here; None if they can.
 
     A worker imports the script that asked for it. Where that comes to the same call again, no worker ever begins.
     """
@@ -50,7 +50,7 @@ class NoWorkersError(JounceError):
 
 @contextmanager
 def starting_workers() -> Iterator[None]:
-    """Start worker processes in a block; where the system refuses, the error says what it lacks.
+    """Start worker processes in a block; if the system refuses, the error says what is missing.
 
     The workers never hear Ctrl-C or a closed terminal, not even while they load: the first process tells them when to
     stop. Nor does the process in which Python counts semaphores, whose successor would print a traceback.

@@ -58,7 +58,7 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
 
 
 class Recent(Generic[Found]):
-    """Objects made on first request, by their keys. All are entry, or only the most recent ones.
+    """Objects made on first request, by their keys. All are kept, or only the most recent ones.
 
     A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``
     for all that is entry so. ``own`` is a bound of one of them, however many the process may keep.
@@ -100,7 +100,7 @@ class Recent(Generic[Found]):
                 self._kept.popitem(last=False)
 
     def clear(self) -> None:
-        """Let go of all."""
+        """Release all."""
         with self._lock:
             self._kept.clear()
 

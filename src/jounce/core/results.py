@@ -178,7 +178,7 @@ def _fields(name: str, mark: Shows, result: Any) -> Iterator[ResultField]:
 
 
 def tables_of(result: Any) -> Iterator[TextTable]:
-    """Write a result as tables: its numbers, then what it has several of, a row for each."""
+    """Write a result as tables: its single values, then its lists with a row for each item."""
     fields = fields_of(result)
     single = [field for field in fields if not _is_group(field.value)]
     yield fields_table(type(result).__name__, single)

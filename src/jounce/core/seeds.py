@@ -8,11 +8,11 @@ from jounce.core.errors import DescriptionError, JounceError
 
 
 def is_whole(number: object) -> bool:
-    """Whether it is a whole number, Python's or NumPy's."""
+    """Whether it is an integer of Python or NumPy."""
     return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def check_seed(seed: object, error: type[JounceError] = DescriptionError) -> None:
-    """Refuse what random numbers cannot be drawn with."""
+    """Refuse invalid seeds."""
     if not is_whole(seed) or seed < 0:  # type: ignore[operator]
         raise error("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")

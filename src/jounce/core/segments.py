@@ -70,7 +70,7 @@ class Segments:
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
     def split_at(self, x: Array) -> Segments:
-        """Return the same signal with edges at ``x`` (the unit of ``edges``), too; those outside of it are left out.
+        """Return the same signal with more edges at ``x`` (the unit of ``edges``); those outside are left out.
 
         Examples
         --------

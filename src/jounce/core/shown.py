@@ -1,4 +1,4 @@
-"""How results and descriptions are shown in a notebook: a short table with units, and where the rest of it is."""
+"""How a notebook shows results and descriptions: a short table with units, and where to find the rest."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Row = tuple[str, str, str]  # name, value, unit or what it is
 
 
 class Shown:
-    """Mix-in of what a notebook shows as a table; every text in it is text, never markup."""
+    """Mix-in of objects that a notebook shows as a table; text is never taken as markup."""
 
     __slots__ = ()
 
@@ -60,7 +60,7 @@ def html_table(
     *,
     longest: int = _LONGEST,
 ) -> str:
-    """A table with its title, of at most ``longest`` characters; it counts what it leaves out, and says where that is.
+    """A table with its title, of at most ``longest`` characters; it counts omitted rows and says where they are.
 
     Examples
     --------

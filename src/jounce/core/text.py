@@ -1,4 +1,4 @@
-"""Tables as text, and text of unknown origin as something a terminal can be given."""
+"""Tables as text, and text of unknown origin made safe for a terminal."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def encodable(text: str, encoding: str) -> str:
 
 
 def quoted(text: str) -> str:
-    r"""A text as a string of TOML and of JSON, whatever is in it; halves of characters become ``\ufffd``.
+    r"""Any text as a string valid in TOML and JSON; halves of characters become ``\ufffd``.
 
     >>> quoted('2" spring\x7f'), quoted("µ \ud800")
     ('"2\\" spring\\u007f"', '"µ \ufffd"')
@@ -81,17 +81,17 @@ _FORMULA = re.compile(r"'*[=+\-@\t\r\n]")
 
 
 def qualify(place: str, name: str) -> str:
-    """Write a name with its place before it, ``front_left.wheel.az``; the name alone where there is no place."""
+    """Write a name with its place in front, ``front_left.wheel.az``; the name alone without a place."""
     return f"{place}.{name}" if place else name
 
 
 def place_in(where: str, place: str) -> str:
-    """Write a place of an error or finding with what it is in, ``run.csv: time``; alone where that is not known."""
+    """Write the place of an error or finding with its file, ``run.csv: time``; alone if the file is unknown."""
     return f"{where}: {place}" if where else place
 
 
 def guarded(text: str) -> str:
-    """A text as a cell of CSV: with a ``'`` in front where a spreadsheet would take it for a formula, and run it.
+    """A text as a cell of CSV, with a ``'`` in front if a spreadsheet would run it as a formula.
 
     >>> guarded("=1+1"), guarded("-5 kg"), guarded("'=1+1"), guarded("front"), unguarded(guarded("'=1+1"))
     ("'=1+1", "'-5 kg", "''=1+1", 'front', "'=1+1")

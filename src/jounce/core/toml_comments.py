@@ -1,4 +1,4 @@
-"""Comments in TOML documents: written on the lines of values, and dropped with what they spoke of."""
+"""Comments in TOML documents: written on the lines of values, and dropped together with them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from jounce.core.text import in_one_line
 
 
 def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: str) -> None:
-    """Write a comment on the line of the value at a path, in place of the one that was there and of those just above.
+    """Write a comment on the line of the value at a path, replacing the one there and those just above.
 
     A line that holds other values, too, keeps its comment. A value that the file does not write gets none.
     """
@@ -55,7 +55,7 @@ def _drop_comments_above(container: Container, place: int) -> None:
 
 
 def without_head(text: str) -> str:
-    """Drop the comments that a file begins with."""
+    """Drop the comments at the beginning of a file."""
     lines = text.split("\n")
     first = next((i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0)
     return "\n".join(lines[first:])

@@ -10,7 +10,7 @@ _SAID: ContextVar[bool | None] = ContextVar("trust", default=None)
 
 
 def trust_said() -> bool | None:
-    """The user's choice; None without one, as in Python, where the description decides.
+    """The user's choice; None without one, as in Python: then the description decides.
 
     >>> with trusting(False):
     ...     trust_said()
@@ -22,7 +22,7 @@ def trust_said() -> bool | None:
 
 @contextmanager
 def trusting(whether: bool | None) -> Iterator[None]:
-    """Let what happens within trust programs of others, or not, whatever their descriptions say; None: as they say.
+    """Trust foreign programs in a block, or not, whatever their descriptions say; None leaves it to the descriptions.
 
     Processes that are begun within do not know of it: who begins them tells them (`trust_said`).
     """

@@ -64,7 +64,7 @@ def ends(text: str) -> tuple[str | float, str | float] | None:
 
 
 def unreadable_band(text: object, where: str, words: Sequence[str]) -> DescriptionError:
-    """Refuse what is no band of spatial frequencies."""
+    """Refuse anything but a band of spatial frequencies."""
     allowed = ", ".join([*words, "LOW..HIGH"])
     return DescriptionError("not a band of spatial frequencies", where=where, found=text, allowed=allowed)
 

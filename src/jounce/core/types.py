@@ -1,4 +1,4 @@
-"""Types that everyone names."""
+"""Commonly used types."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from jounce.core.phrases import Phrase
 
 
 class Stage(Phrase):
-    """What is being done, and how much of it is done.
+    """The current work, and its completed share.
 
     The template is one of `Phrase`; what stands before its first colon is the phase. Of that, ``share`` is
     done, 0 to 1.
@@ -44,7 +44,7 @@ class Stage(Phrase):
 
 
 def counted(template: str, which: int, count: int, /, **fields: Any) -> Stage:
-    """Stage of a number of things: ``{which}`` of ``{count}``, the one that is named not done yet.
+    """Progress through several items: ``{which}`` of ``{count}``; the named item is not finished yet.
 
     >>> print(progress := counted("fitting {which} of {count}: {name}", 4, 10, name="a.csv"), progress.share)
     fitting 4 of 10: a.csv 0.3
@@ -157,7 +157,7 @@ def told(what: str | Callable[[], str]) -> Iterator[None]:
 
 @contextmanager
 def heard_by(listener: Callable[[str | None], None]) -> Iterator[None]:
-    """Have a function called with what is being waited for, twice a second, and with None when it is done.
+    """Call a function twice a second with the text of the current wait, and with None when it is over.
 
     It is called from another thread.
     """
@@ -179,7 +179,7 @@ def reached(numbers: Callable[[], Mapping[str, Any]]) -> None:
 
 @contextmanager
 def watched_by(watcher: Callable[[Mapping[str, Any]], None]) -> Iterator[None]:
-    """Have a function called with the numbers of every step of a search in the block.
+    """Call a function with the values of every step of a search in the block.
 
     >>> with watched_by(lambda numbers: print(numbers["objective"])):
     ...     reached(lambda: {"objective": 0.5})

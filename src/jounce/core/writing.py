@@ -1,4 +1,4 @@
-"""Files written whole or not at all, without ever losing one that was there."""
+"""Write files completely or not at all, without ever losing an existing one."""
 
 from __future__ import annotations
 
@@ -170,7 +170,7 @@ def sweep_beside(file: Path) -> None:
 
 
 def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
-    """Write files below a folder, which is made: all of them, or none.
+    """Write files below a folder, which is created: all of them, or none.
 
     They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
     same names are moved out and the new ones in, whole each and never some of both; what else the folder holds stays.

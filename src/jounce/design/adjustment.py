@@ -1,4 +1,4 @@
-"""Adjustments of a rig as faces ask for them: settings, or the lengths for a camber and a toe."""
+"""Adjustments of a rig as requested by commands and pages: settings, or the lengths for a camber and a toe."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Angle = float | str | None
 
 @dataclass(frozen=True)
 class Adjustment(Plain):
-    """What adjustments do to a rig.
+    """Effects of adjustments on a rig.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class Adjustment(Plain):
 
 
 def check_adjusted(**given: Any) -> None:
-    """Refuse a file for a rig that nothing changes."""
+    """Refuse an output file if nothing changes the rig."""
     if given["out"] is not None and not any(given[name] for name in ("set_", "camber", "toe")):
         raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")
 

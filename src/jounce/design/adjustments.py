@@ -1,4 +1,4 @@
-"""What adjustments of a suspension do to the wheel, and lengths for a wanted camber and toe."""
+"""Effects of a suspension's adjustments on the wheel, and lengths for a wanted camber and toe."""
 
 from __future__ import annotations
 
@@ -191,7 +191,7 @@ def wheel_state(rig: Corner) -> WheelState:
 
 
 def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effects: bool = True) -> AdjustReport:
-    """Report what settings do to a rig, and what each setting could do.
+    """Report the effect of settings on a rig, and of each possible setting.
 
     Parameters
     ----------

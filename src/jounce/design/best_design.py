@@ -1,4 +1,4 @@
-"""The best design as faces ask for it: of a rig with bounds and an objective, or of a study file."""
+"""The best design as requested by commands and pages: of a rig with bounds and an objective, or of a study file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Several metrics that compete: designs of which none is better in every one of them, from the best in one to others.
+"""Pareto front of several competing metrics, from the best design for one metric to that for another.
 
 Searches aim along mixtures that are spread evenly, then between those designs that are still farthest apart.
 """
@@ -37,7 +37,7 @@ _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around
 
 @dataclass(frozen=True)
 class DesignFront(Plain):
-    """Designs of which none is better in every one of several metrics, SI.
+    """Pareto front of several metrics, SI.
 
     Attributes
     ----------
@@ -58,9 +58,9 @@ class DesignFront(Plain):
     evaluations : int
         Designs that were judged.
     driven : str
-        What was driven over, in words.
+        The road, in words.
     findings : tuple of Finding
-        What to know of it.
+        Findings.
     """
 
     goals: dict[str, Array]
@@ -104,7 +104,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     samples: int = 32,
     seed: int = 1,
 ) -> DesignFront:
-    """Find designs between metrics that compete: none is better in every one of them than another.
+    """Find the Pareto front of competing metrics: no design is better than another in all of them.
 
     Each metric is to be as near to zero as can be. For comfort against road holding, with best dampers beside it,
     there is :func:`pareto`; for kinematics :func:`kinematic_front`.

@@ -1,4 +1,4 @@
-"""Designs of hardpoints of which none is better in every goal than another, from the best of one goal to others."""
+"""Pareto front of hardpoint designs, from the best design for one goal to that for another."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class FrontDesign(Plain):
 
 @dataclass(frozen=True)
 class KinematicFront(Plain):
-    """Designs between competing goals, none of them better in every goal than another.
+    """Pareto front of competing goals.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class KinematicFront(Plain):
     start : mapping of str to Corner
         The rigs that the search began with, by name.
     findings : tuple of Finding
-        What is worth knowing.
+        Findings.
     """
 
     goals: Mapping[str, tuple[int, ...]]
@@ -103,7 +103,7 @@ def kinematic_front(
     seed: int = 0,
     shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicFront:
-    """Find designs between goals that compete: none is better in every goal than another.
+    """Find the Pareto front of competing goals: no design is better than another in all of them.
 
     Targets with the same ``goal`` belong together; where none has one, each target that need not hold is its own goal.
     Targets that ``must`` hold, and those without a goal beside others that have one, stay within their tolerances.

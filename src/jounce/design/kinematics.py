@@ -144,7 +144,7 @@ class StartResult(Plain):
 
 @dataclass(frozen=True)
 class Fight(Plain):
-    """Two targets of which one cannot come nearer without the other going away: cosine of their slopes [1]."""
+    """Two conflicting targets, of which improving one worsens the other: cosine of their slopes [1]."""
 
     missed: int
     other: int
@@ -153,7 +153,7 @@ class Fight(Plain):
 
 @dataclass(frozen=True)
 class Identified(Plain):
-    """How well curves that are known to their tolerances tell a free number, as standard deviations in its SI ``unit``.
+    """How well curves known to their tolerances determine a free parameter: standard deviations in its SI ``unit``.
 
     ``alone`` is that of the number where all others are known, ``together`` that where all are sought at once. None
     where it is more than half the box: the curves do not feel the number, or others can make up for it.
@@ -167,7 +167,7 @@ class Identified(Plain):
 
 @dataclass(frozen=True)
 class OpenCombination(Plain):
-    """Numbers that the curves do not tell apart: moved by these ``shares`` of their boxes they hardly change them.
+    """Parameters that the curves cannot tell apart: moved by these ``shares`` of their boxes, they hardly matter.
 
     ``change`` is the root of the sum of squares of all values, in tolerances.
     """
@@ -209,7 +209,7 @@ class KinematicDesign(Plain):
     spread : mapping of str to KinematicSpread
         What the spread of parts does to the curves, by the name of the rig; empty where none is given.
     findings : tuple of Finding
-        What is worth knowing.
+        Findings.
     """
 
     rigs: Mapping[str, Corner]
@@ -410,7 +410,7 @@ class KinematicTask:
                 Workshop(rig, own, self.spread, self.vehicles.get(name))
 
     def search(self) -> HardpointSearch:
-        """Lay out a search."""
+        """Prepare a search."""
         numbering, numbers, wanted = self.read()
         evaluator = Evaluators(numbering, wanted, numbers.directions, numbers.lengths, self.vehicles)
         return HardpointSearch(evaluator, numbers, wanted)

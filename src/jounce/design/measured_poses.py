@@ -46,7 +46,7 @@ _AXES = ("wheel_travel", "rack_travel")
 
 @dataclass(frozen=True)
 class MeasuredQuantity(Plain):
-    """A measured quantity, SI: readings, their noise, root mean squares of what is left before and after.
+    """A measured quantity, SI: readings, their noise, root mean square residuals before and after.
 
     ``measured``, ``before`` and ``after`` are values pose by pose, the model's with the offset that was found; a
     missing reading is NaN.
@@ -84,7 +84,7 @@ class HardpointFit(Plain):
     agreed : int
         See ``starts``.
     findings : tuple of Finding
-        What is worth knowing.
+        Findings.
     """
 
     rig: Corner

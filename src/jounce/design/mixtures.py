@@ -1,4 +1,4 @@
-"""What searches for fronts between competing goals share: mixtures of goals to aim at, and which designs are best."""
+"""Shared parts of searches for Pareto fronts: mixtures of goals to aim at, and the choice of the best designs."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def achievement(goals: Array, best: Array, span: Array, mixture: Array) -> float
 
 
 def undominated_rows(goals: Array, span: Array) -> list[int]:
-    """Rows of goals (less is better) of which none is better in every goal than another, each once.
+    """Rows of goals (less is better) that no other row dominates, each once.
 
     >>> undominated_rows(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))
     [0, 1, 3]

@@ -1,4 +1,4 @@
-"""The trade between comfort and road holding: best dampers for each, and designs of which none is better in both."""
+"""The trade between comfort and road holding: best dampers for each, and the Pareto front of both."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ _FEWEST, _MOST = 3, 500
 
 @dataclass(frozen=True)
 class BestDamper(Shown):
-    """Dampers with the least of one metric, by the closed form of each wheel and by a search on the whole model, SI.
+    """Dampers that minimise one metric, by the closed form of each wheel and by a search on the whole model, SI.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ def _metric_with(problem: DesignProblem, metric: str, dampers: Mapping[str, floa
 
 @dataclass(frozen=True)
 class ParetoMark:
-    """One design beside the front, SI: in words, its free numbers and dampers by path, and its metrics."""
+    """One design to compare with the front, SI: its words, free parameters and dampers by path, and metrics."""
 
     name: str
     kind: Literal["present", "closed form", "searched"]
@@ -173,9 +173,9 @@ class ParetoFront(Plain):
     converged : bool
         Whether all points are optimal.
     driven : str
-        What was driven over, in words.
+        The road, in words.
     findings : tuple of Finding
-        What to know of it.
+        Findings.
     """
 
     metrics: dict[str, str]
@@ -198,7 +198,7 @@ class ParetoFront(Plain):
 
     @property
     def heading(self) -> str:
-        """Between what its designs lie, in words."""
+        """The two ends of the front, in words."""
         usual = self.metrics["comfort"] == COMFORT and self.metrics["holding"] == HOLDING
         return "comfort to road holding" if usual else f"{self.metrics['comfort']} to {self.metrics['holding']}"
 

@@ -287,7 +287,7 @@ class TrialEvaluator:
 
 
 class Judge(Protocol):
-    """What judges designs: metrics by their texts, with slopes by the free numbers."""
+    """Evaluates designs: metrics by their texts, with slopes by the free parameters."""
 
     @property
     def is_exact(self) -> bool:

@@ -1,4 +1,4 @@
-"""Tolerance study: parts are never made as drawn; what that does to every curve, and what adjustments bring back.
+"""Tolerance study: the effect of manufacturing tolerances on every curve, and what adjustments can recover.
 
 Pickup points on the body, joints of the upright and the rocker, and lengths of links deviate; the corner is put
 together with what was made, so that the wheel stands otherwise than drawn (camber and toe, too). Then adjustments bring
@@ -91,7 +91,7 @@ class KinematicSpread(Plain):
     adjustments : mapping of str to AdjustmentNeed
         What each adjustment must reach.
     findings : tuple of Finding
-        What is worth knowing.
+        Findings.
     """
 
     targets: tuple[SpreadTarget, ...]

@@ -109,7 +109,7 @@ def _linear(path: str, damper: object) -> str:
 
 @dataclass(frozen=True)
 class WheelDesign:
-    """Spring and damper of one wheel, as in the rig and as asked for, SI; ``changes`` has the wanted values by path.
+    """Spring and damper of one wheel, in the rig and as requested, SI; ``changes`` has the new values by path.
 
     ``place`` is ``front`` or ``rear``, empty for a quarter car.
     """
@@ -123,7 +123,7 @@ class WheelDesign:
 
 @dataclass(frozen=True)
 class SpringDesign(Shown):
-    """Springs and dampers for the frequencies that were asked for: the rig with them, and one wheel of each axle.
+    """Springs and dampers for the requested frequencies: the rig with them, and one wheel of each axle.
 
     ``with_tyre`` says whether the frequency is that of spring and tyre in series.
     """

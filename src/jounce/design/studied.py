@@ -1,4 +1,4 @@
-"""Hardpoints from the targets of a study file, with the files that are written of them."""
+"""Hardpoints from the targets of a study file, with the output files."""
 
 from __future__ import annotations
 

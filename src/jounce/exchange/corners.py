@@ -1,4 +1,4 @@
-"""What files of mechanisms hold: a 3-D corner with a spring about its strut."""
+"""The kind of rig that mechanism files can represent: a 3-D corner with a spring about its strut."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from jounce.parts import Corner, Rig
 
 
 def corner_of(rig: Rig, what: str, allowed: str = "3-D corners such as kart-double-wishbone") -> Corner:
-    """Return the rig if it is a 3-D corner; say ``what`` it is not otherwise."""
+    """Return the rig if it is a 3-D corner; the error names the file ``what``."""
     if not isinstance(rig, Corner):
         raise OutputError(what, where="rig", found=getattr(rig, "model", type(rig).__name__), allowed=allowed)
     return rig

@@ -1,4 +1,4 @@
-"""The equations of motion of a rig, to read and to reuse: mass, forces and constraints."""
+"""The equations of motion of a rig, to read and reuse: mass, forces and constraints."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ class Equations(Plain):
         return written(self._graph, names, language), shapes
 
     def latex(self) -> str:
-        """The equations as a LaTeX document's body: definitions of what is used several times, then the matrices."""
+        """The equations as a LaTeX document's body: definitions of repeated expressions, then the matrices."""
         names = [[latex_name(name) for name in group] for group in self.arguments.values()]
         found, shapes = self._written(names, LATEX)
         lines = [f"% {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI"]

@@ -35,7 +35,7 @@ Part = tuple[str, int]
 
 @dataclass(frozen=True)
 class Language:
-    """How operations, numbers and parts that are used several times are written."""
+    """Notation of operations, numbers and repeated expressions."""
 
     write: Callable[[str, Sequence[Part]], Part]
     number: Callable[[float], str]
@@ -44,7 +44,7 @@ class Language:
 
 @dataclass(frozen=True)
 class Written:
-    """Definitions of what is used several times, in their order, and the elements of each result, column by column."""
+    """Definitions of repeated expressions, in their order, and the elements of each result, column by column."""
 
     definitions: tuple[tuple[str, str], ...]
     results: tuple[tuple[str, ...], ...]

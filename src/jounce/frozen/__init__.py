@@ -1,4 +1,4 @@
-"""What PyInstaller is told of jounce: which files it needs, and what its child processes do in a frozen application.
+"""Instructions for PyInstaller: the files that jounce needs, and the child processes of a frozen application.
 
 PyInstaller asks by itself wherever jounce is installed (entry point ``pyinstaller40``).
 """

@@ -1,4 +1,4 @@
-"""Calibration of a sensor from points: sensitivity and zero with intervals, and how straight it is."""
+"""Calibration of a sensor from points: sensitivity and zero with intervals, and the linearity."""
 
 from __future__ import annotations
 

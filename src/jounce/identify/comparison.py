@@ -21,7 +21,7 @@ from jounce.recordings.signals import correlation_coefficients, estimate_lag, re
 
 @dataclass(frozen=True)
 class Comparison:
-    """What separates a compared (simulated) signal from a reference (measured) one.
+    """Differences between a compared (simulated) signal and a reference (measured) one.
 
     Ratios to something that is zero (a constant or vanishing reference) are NaN, written as null.
 
@@ -304,13 +304,13 @@ def _correlation(reference: Array, compared: Array, shift: int) -> float:
 
 
 def magnitude_score(reference: Array, compared: Array) -> float:
-    """Give the magnitude score of shifted signals: what differs after warping them onto each other in time."""
+    """Return the magnitude score of shifted signals: their difference after warping them onto each other in time."""
     i, j = warping_path(compared, reference, ceil(WARPING_WINDOW * reference.size) - 1)
     return _linear_score(compared[i] - reference[j], reference[j], LARGEST_MAGNITUDE_ERROR)
 
 
 def slope_score(reference: Array, compared: Array) -> float:
-    """Give the slope score of shifted signals: what differs between their derivatives, smoothed over 9 samples."""
+    """Return the slope score of shifted signals: the difference of their derivatives, smoothed over 9 samples."""
     slope_t, slope_c = _smooth_slope(reference), _smooth_slope(compared)
     return _linear_score(slope_c - slope_t, slope_t, LARGEST_SLOPE_ERROR)
 

@@ -1,4 +1,4 @@
-"""What a damper fit says about its record and its law."""
+"""Findings of a damper fit about its record and its law."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from jounce.identify.signals import quantum_of
 
 
 def hysteresis_share(motion: DamperMotion) -> float:
-    """How far the force at one velocity depends on whether the velocity rises or falls.
+    """Difference of the force at one velocity between rising and falling velocity.
 
     R.m.s. difference between both over velocity bins, relative to the range of the force [1]; 0 for any F(v).
     """
@@ -80,7 +80,7 @@ _FAR, _FEW = 12.0, 0.02  # times the usual residual, share of the samples: a spi
 
 
 def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str) -> list[Finding]:
-    """What changed while the record was taken: a damper that warms up, a zero that drifts; and spikes.
+    """Changes during the record: a damper that warms up, a drifting zero, spikes.
 
     ``speed`` is the velocity over its peak; the force of the law may err as it grows, which is no change in time.
     """
@@ -120,7 +120,7 @@ _NEAR = 12.0  # times the frequency of the motion, below which a low pass makes 
 
 
 def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
-    """What the logger did to the force: steps as large as the force itself, a low pass near the motion."""
+    """Effects of the logger on the force: steps as large as the force itself, a low-pass filter near the motion."""
     findings: list[Finding] = []
     step, force = quantum_of(motion.force), fitted - offset
     side = min(float(force.max()), -float(force.min()))

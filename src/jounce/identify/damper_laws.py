@@ -1,4 +1,4 @@
-"""Damper laws as fits see them: factors of columns, and the shapes that those depend on."""
+"""Damper laws for fitting: weights of columns, and the shapes that the columns depend on."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _DESCRIBED: dict[str, type[DamperLaw]] = {
 
 @dataclass(frozen=True)
 class AlongPath(SampledPoint):
-    """Operating points in the order in which a damper passes them.
+    """Operating points in the order in which a damper passes through them.
 
     ``start`` is its state at the first; without one the state that the stroke before a first turn leaves.
     """
@@ -59,7 +59,7 @@ class AlongPath(SampledPoint):
 
 
 def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float) -> float:
-    """Work that a damper takes up per cycle of harmonic motion, once a law with a memory has settled.
+    """Work that a damper dissipates per cycle of harmonic motion, once a law with memory has settled.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ class FittedLaw:
 
     @property
     def signed(self) -> NDArray[np.bool_]:
-        """Which shapes may be negative: they are searched as they are."""
+        """Which shapes may be negative: they are searched on a linear scale."""
         return self.bounds[0] < 0.0
 
 
@@ -287,7 +287,7 @@ def search(
 def estimates(
     law: FittedLaw, motion: DamperMotion, used: slice, values: Array, residual: Array, free: NDArray[np.bool_]
 ) -> list[Estimate]:
-    """Give weights and shapes with their uncertainty; what is at a bound has none."""
+    """Return weights and shapes with their uncertainty; those at a bound have none."""
     weights, shapes = values[: len(law.weights)], values[len(law.weights) :]
 
     def force(point: Array) -> Array:

@@ -288,7 +288,7 @@ def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
 def columns_of(
     displacement: Any, velocity: Any, force: Any, time: Any, name: str
 ) -> tuple[ArrayLike, ArrayLike | None, ArrayLike, ArrayLike]:
-    """A record with what its data carry: channels of a recording their time, a recording or a table all."""
+    """A record completed from its data: a channel brings its time, a recording or a table everything."""
     if force is None and velocity is None and not hasattr(displacement, "dtype"):
         displacement, velocity, force = damper_channels(as_recording(displacement, where=name), where=name)
     if force is None:

@@ -1,4 +1,4 @@
-"""Where the zero of a recorded channel lies: at rest, where the model counts from, or anywhere.
+"""Position of a recorded channel's zero: at rest, at the model's zero, or anywhere.
 
 Displacement sensors and load cells are zeroed at rest as a rule, models count from undeformed springs: compared as
 they stand, the difference is taken for a softer spring or a greater mass. What the record shows before anything moves
@@ -30,7 +30,7 @@ _AT_REST, _ABSOLUTE = 0.1, 0.35  # of the static value: how far zeros, and start
 
 @dataclass(frozen=True)
 class QuietStart:
-    """What a channel shows before anything moves, in its SI unit.
+    """Reading of a channel before anything moves, in its SI unit.
 
     ``recorded`` is the mean of the record there and ``doubt`` its standard error, ``static`` what the model says for a
     record that counts as it does, ``zero`` for one that was zeroed at rest (the sensor's bias), and ``reach`` the range
@@ -60,7 +60,7 @@ class QuietStart:
         return "undeformed" if abs(self.recorded - self.static) <= small + _ABSOLUTE * load else "free offset"
 
     def matters(self, datum: Datum) -> bool:
-        """Whether it changes anything that a datum was chosen."""
+        """Whether the choice of datum makes a difference."""
         small = _SMALL * self.reach + 4.0 * self.doubt
         return (abs(self.static - self.zero) > small or datum != "undeformed") and not self.is_stated
 
@@ -72,7 +72,7 @@ Starts = Mapping[str, Mapping[str, QuietStart]]
 def with_datums(
     trials: Sequence[FitTrial], channels: Sequence[str] | None = None
 ) -> tuple[list[FitTrial], list[Finding]]:
-    """Give the trials with the datum of every compared channel decided, and findings that say what was taken.
+    """Return the trials with the datum of every compared channel decided, and findings that state the choice.
 
     A datum that a sensor states is kept. Otherwise quiet starts are held against the model's static values, which may
     be off by 35 % (the start values are those before an update) and decide between "rest" and "undeformed"; a record
@@ -97,7 +97,7 @@ def datums_of(starts: Starts) -> dict[str, Datum]:
 
 
 def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]) -> FitTrial:
-    """Give a trial with the datums of its channels, but for those that its sensors state."""
+    """Return a trial with the datums of its channels, except those that its sensors state."""
     sensors = dict(trial.sensors)
     for name, start in starts.items():
         if not start.is_stated:
@@ -106,7 +106,7 @@ def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mappin
 
 
 def start_findings(starts: Starts) -> list[Finding]:
-    """Say for each channel which datum was found and whether its sign is turned."""
+    """Report for each channel the chosen datum, and whether its sign is reversed."""
     datums, found = datums_of(starts), dict[str, list[tuple[str, QuietStart]]]()
     for trial, channels in starts.items():
         for channel, start in channels.items():

@@ -1,4 +1,4 @@
-"""Damping from free decays: logarithmic decrement, and viscous damping told apart from dry friction and drag."""
+"""Damping from free decays: logarithmic decrement, and viscous damping separated from dry friction and drag."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Peaks:
     value: Array
 
     def half_period(self) -> float:
-        """Time from one turning point to the next [s]; the release is not one of them."""
+        """Time from one turning point to the next [s], not counting the release."""
         gaps = np.diff(self.time)[1:]
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
 
@@ -134,7 +134,7 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
 
 
 def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
-    """Leave out what follows a second hit: swings that are suddenly much larger than the two before.
+    """Leave out the part after a second hit: swings that are suddenly much larger than the two before.
 
     Those of a beat are so, too, at a knot of its envelope, but grow on.
 
@@ -484,7 +484,7 @@ class DecayPart:
 def search_decay(
     part: DecayPart, quantity: Quantity, drag: Drag, name: str, findings: list[Finding], known: float | None = None
 ) -> tuple[DecayParameters, Uncertainty, Array, bool]:
-    """Fit the response; leave the rest out when the mass does not rest where sliding friction would have stopped it.
+    """Fit the response; leave out the time at rest if sliding friction would have stopped the mass elsewhere.
 
     ``known`` is the natural angular frequency (rad/s) that mass and stiffness give. Gives the best parameters, their
     uncertainty, measured minus fitted (NaN where the record was left out), and whether quadratic drag is part of the
@@ -580,7 +580,7 @@ def _label_in_motion(before: str, word: str, behind: str = "") -> Callable[[Any]
 
 @dataclass(frozen=True)
 class DecayEstimates(Shown):
-    """What one or several decays say: see :class:`DecayResult`."""
+    """Result of one or several decays: see :class:`DecayResult`."""
 
     damping_ratio: Annotated[Estimate, Shows("viscous damping ratio", "1")]
     damping_coefficient: Annotated[Estimate, Shows("viscous damping coefficient", in_motion("damping"))]
@@ -596,7 +596,7 @@ class DecayEstimates(Shown):
 
     @property
     def equivalent_damping_ratio(self) -> Annotated[Estimate, Shows("damping ratio (friction neglected)", "1")]:
-        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
+        """Damping ratio of a viscous damper alone from the naive decrement [1], which includes friction."""
         return _equivalent(self.logarithmic_decrement)
 
 
@@ -841,7 +841,7 @@ def _read_otherwise(
     parameters, quantity = result.parameters, result.quantity
 
     def leaves(record: Array, starts: list[Array], other: Quantity) -> float:
-        """What a fit leaves, of what the record as it stands does [1]."""
+        """Residual of a fit, as a share of the uncorrected record's [1]."""
         try:
             rest = _fit(t, record, starts, other)[2]
         except FitError:

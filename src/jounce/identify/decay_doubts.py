@@ -1,4 +1,4 @@
-"""What the record of a free decay shows of its own defects: those of its logger, and those of the model."""
+"""Defects that the record of a free decay reveals: those of its logger, and those of the model."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _NEAR = 8.0  # times the natural frequency, below which a low pass changes what 
 
 
 def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
-    """Leave out what the logger lost, and tell steps that are too coarse and peaks that are cut off."""
+    """Leave out dropouts of the logger, and report steps that are too coarse and clipped peaks."""
     lost, findings = frozen_samples(signal), []
     if lost.any():
         findings.append(
@@ -45,7 +45,7 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
 def spring_that_is_no_line(
     times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str
 ) -> list[Finding]:
-    """Tell a frequency that changes with the amplitude: neither damping nor dry friction does that.
+    """Report a frequency that changes with the amplitude, which neither damping nor dry friction causes.
 
     ``turns`` are the displacements at successive turning points, at ``times`` (s).
     """
@@ -67,7 +67,7 @@ def spring_that_is_no_line(
 
 
 def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:
-    """A cubic in time that explains most of what is left, and more than a damper firmer in one direction moves."""
+    """A cubic in time that explains most of the residual, and more than a damper firmer in one direction can."""
     used = np.isfinite(residual)
     left = float(residual[used] @ residual[used])
     if left == 0.0 or t[-1] - t[0] < _SLOW * 2.0 * math.pi / parameters.angular_frequency:
@@ -81,7 +81,7 @@ def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: floa
 def what_is_left(
     t: Array, signal: Array, residual: Array, parameters: DecayParameters, quantity: Quantity, name: str
 ) -> list[Finding]:
-    """Name what residuals look like: a jump, two decays, a drift, a damper that is firmer in one direction."""
+    """Name the likely cause of residuals: a jump, two decays, a drift, a damper that is firmer in one direction."""
     left = float(residual @ residual)
     begin = 0
     if order_of(quantity) == 2:  # a body that was held and is let go jumps there in acceleration, as it must
@@ -113,7 +113,7 @@ def what_is_left(
 def low_pass_of(
     t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str, *, is_alike: bool
 ) -> list[Finding]:
-    """A low pass near the decay, seen in its noise where residuals resemble each other, or in the corners it lacks."""
+    """Detect a low-pass filter near the decay, in its noise if residuals are correlated, or in its missing corners."""
     rate, frequency = 1.0 / float(np.median(np.diff(t))), parameters.angular_frequency / (2.0 * math.pi)
     reach, step = float(np.ptp(signal)), quantum_of(signal)
     corner = smoother_corner(signal, signal - residual, rate, near=_NEAR * frequency)

@@ -1,4 +1,4 @@
-"""Log densities of updated parameters: of least squares with noise only, and with all doubts integrated out."""
+"""Log densities of updated parameters: least squares with noise only, and with all uncertain inputs integrated out."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class _Residual(Protocol):
 
 @dataclass(frozen=True)
 class Basis:
-    """What a posterior rests on: trials, free parameters, and the richer model where model error is counted.
+    """Basis of a posterior: trials, free parameters, and the extended model if model error is included.
 
     ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI), ``noise`` and ``residual`` the
     standard deviations (SI) of noise and residuals of each channel.
@@ -98,7 +98,7 @@ class _Climbed:
 
 
 class DoubtDensity:
-    """Log density of scaled parameters with all doubts integrated out around their best values."""
+    """Log density of scaled parameters with all uncertain inputs integrated out around their best values."""
 
     def __init__(self, fit: ModelErrorFit) -> None:
         self.found = fit

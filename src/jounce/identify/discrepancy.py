@@ -1,4 +1,4 @@
-"""Intervals that count what the model lacks.
+"""Intervals that include model error.
 
 What may be wrong is written as further unknowns inside the model, with priors
 (:mod:`jounce.identify.extended_rig`), and found together with the parameters. What even this leaves unexplained is no
@@ -70,7 +70,7 @@ _LAG_UNSURE = 0.5  # samples, where lags are not fitted
 
 @dataclass(frozen=True)
 class LawEstimate:
-    """What is known of a parameter when what the model lacks is counted, SI.
+    """Knowledge of a parameter including model error, SI.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class LawEstimate:
 
 @dataclass(frozen=True)
 class NuisanceEstimate:
-    """What became of something that was doubted: before (``mean``, ``deviation``) and after, in ``unit``."""
+    """An uncertain input before (``mean``, ``deviation``) and after the fit, in ``unit``."""
 
     group: str
     unit: str
@@ -124,7 +124,7 @@ class NuisanceEstimate:
 
 @dataclass(frozen=True)
 class Discrepancy(Shown):
-    """Parameters of an update with intervals that count what the model lacks.
+    """Parameters of an update with intervals that include model error.
 
     Attributes
     ----------
@@ -240,7 +240,7 @@ class _Run:
         return {free.path: float(value) for free, value in zip(self.all.free, own, strict=True)}
 
     def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
-        """Tracks with the inputs as they may be, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
+        """Tracks with their uncertain inputs, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
         patch = max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH) if self.patched else 0.0
         found = []
         for name, track in zip(self.compiled.facts.tracks, self._tracks(patch), strict=True):
@@ -287,7 +287,7 @@ class _Run:
         return Segments(times, np.zeros(len(rise), dtype=np.int64), table)
 
     def forces(self, states: States) -> dict[str, Array]:
-        """What a unit of each force beside the strut was in a run, N along it.
+        """Component along the strut, N, of a unit of each parallel force in a run.
 
         Arms of a unit of shared inertia push the body by the wheel's acceleration and the wheel by the body's: with as
         much added to either mass, which :meth:`simulate` does, a force between them that follows their relative one.
@@ -320,7 +320,7 @@ class _Run:
 
 
 def low_passed_by(table: Array, rate: float, constant: float, typical: float) -> Array:
-    """Signals behind a second-order low pass with a time constant of ``constant`` (s), one over its angular corner.
+    """Signals after a second-order low-pass filter with time constant ``constant`` (s), one over its angular corner.
 
     What it does is taken as proportional to the constant, as it is of one of a ``typical`` constant (s), or of the
     quickest that the sample rate (Hz) shows. Below zero it is undone: another channel that is slower looks so.
@@ -376,11 +376,11 @@ class ModelErrorProblem:
                 self.priors[i] = item.scaled(mean), item.half_range / deviation
 
     def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> ModelErrorProblem:
-        """The same doubts over one trial."""
+        """The same uncertain inputs over one trial."""
         return ModelErrorProblem([trial], self.free, settings, found_beside=self.beside, richer=self.richer)
 
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
-        """Compile a rig with the slopes of all doubts, and with an actuator for forces that are no law's."""
+        """Compile a rig with the slopes by all uncertain inputs, and with an actuator for forces outside its laws."""
         actuator = known_actuator(trial)
         if actuator is None and self.richer.has_laws and max(self.doubt.presliding, self.doubt.arms) > 0.0:
             from jounce.control.actuators import ActiveActuator
@@ -404,7 +404,7 @@ class ModelErrorProblem:
         return found
 
     def gain_doubt(self, channel: Channel) -> float:
-        """How far the gain of a channel may be off (1): as its calibration tells, or as for all."""
+        """Relative uncertainty of a channel's gain (1): from its calibration, or the common one."""
         own = None if channel.sensor is None else channel.sensor.gain_doubt
         return self.doubt.gain if own is None else own
 
@@ -425,21 +425,21 @@ class ModelErrorProblem:
         return found
 
     def value(self, name: str, xi: Array) -> float:
-        """Value of a nuisance by its name, 0 where it is not doubted."""
+        """Value of a nuisance by its name, 0 if it is certain."""
         if name not in self.place:
             return 0.0
         i = self.place[name]
         return self.nuisances[i].mean + self.nuisances[i].deviation * float(xi[i])
 
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
-        """Doubts of a trial's inputs by name, SI."""
+        """Uncertain inputs of a trial by name, SI."""
         found = {name: self.value(name, state.xi) for name in _INPUTS}
         return found | {own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)}
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
     def residuals(self, state: _State, blocks: Sequence[_ChannelResiduals]) -> list[_ChannelResiduals]:
-        """The same blocks with the residuals of another state: one run a trial, a fifth of what slopes take."""
+        """The same blocks with the residuals of another state: one run per trial, a fifth of the cost of slopes."""
         found, at = [], iter(blocks)
         for i, run in enumerate(self.runs):
             plain = run.compiled.plain
@@ -539,7 +539,7 @@ class ModelErrorProblem:
         return _ChannelResiduals(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
 
     def read(self, prepared: Prepared, channel: Channel, solution: Solution, xi: Array) -> Array:
-        """Reading of a channel, and its derivatives, through its sensor as it may be."""
+        """Reading of a channel, and its derivatives, through its uncertain sensor."""
         table = prepared.table(self._sensed(channel, xi), solution)
         name = f"{channel.name} bandwidth"
         return (
@@ -561,7 +561,7 @@ class ModelErrorProblem:
     # from blocks to a step ------------------------------------------------------------------------------------------
 
     def system(self, blocks: Sequence[_ChannelResiduals], state: _State) -> _System:
-        """Lay the blocks out for steps: lags taken out, or held where they are not fitted."""
+        """Arrange the blocks for steps: lags eliminated, or held if they are not fitted."""
         p, q, trials = len(self.free), len(self.nuisances), len(self.runs)
         own = len(self.own) + (0 if self.align else 1)
         rows: list[tuple[str, Array, Array, NDArray[np.int64]]] = []
@@ -662,14 +662,14 @@ class _System:
             self.normal[name][1][index] += columns.T @ residual
 
     def beforehand(self, prior: Array | None = None) -> tuple[Array, Array, float]:
-        """Information, score and sum of squares of what is known without the recordings."""
+        """Information, score and sum of squares of the prior knowledge."""
         prior = self.prior if prior is None else prior
         slopes, left = self.weighed[:, :-1], self.weighed[:, -1]
         information, score = np.diag(prior) + slopes.T @ slopes, -prior * self.away + slopes.T @ left
         return information, score, float(prior @ self.away**2 + left @ left)
 
     def solved(self, prior: Array | None = None) -> _Step:
-        """Step and covariance; the weights and what is left depend on each other."""
+        """Step and covariance; weights and residuals depend on each other."""
         prior = self.prior if prior is None else prior
         step = np.zeros(len(prior))
         for _ in range(_PASSES):
@@ -688,7 +688,7 @@ class _System:
         return covariance @ score, covariance
 
     def known(self, which: Mask, step: _Step, *, rest: bool = True) -> Array:
-        """Covariance with some unknowns known exactly (a mask), or without the unexplained rest."""
+        """Covariance with some unknowns known exactly (a mask), or without the unexplained residual."""
         of_rest = 1.0 / OBSERVATIONS if rest else 0.0
         variance = {name: step.noise[name] + of_rest * step.energy[name] for name in self.names}
         information, _, _ = self.beforehand()
@@ -700,7 +700,7 @@ class _System:
         return covariance
 
     def left(self, step: Array) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
-        """Variance of the noise, energy of the rest of one block, and mean square of what is left, by channel."""
+        """Noise variance, energy of the unexplained part of one block, and mean square of the residual, by channel."""
         noise: dict[str, list[float]] = {name: [] for name in self.names}
         energy: dict[str, list[float]] = {name: [] for name in self.names}
         square: dict[str, list[float]] = {name: [] for name in self.names}
@@ -739,7 +739,7 @@ def noise_variance(residual: Array) -> float:
 
 @dataclass(frozen=True)
 class ModelErrorFit:
-    """Where the richer model ended: its unknowns, all blocks there, and the linear equations with their solution.
+    """Final state of the extended model: its unknowns, all blocks, and the linear equations with their solution.
 
     ``first`` are the mean squares of the residuals of each channel at the start, SI.
     """
@@ -754,12 +754,12 @@ class ModelErrorFit:
 
     @property
     def variance(self) -> dict[str, float]:
-        """Variance with which the residuals of each channel count: noise, and the rest as few observations (SI)."""
+        """Variance that weights each channel's residuals: noise, and the unexplained part as few observations (SI)."""
         return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.problem.names}
 
     @property
     def rest(self) -> dict[str, float]:
-        """What nothing explains of each channel, as a share (1) of the energy of the simulated signal."""
+        """Unexplained part of each channel, as a share (1) of the energy of the simulated signal."""
         power: dict[str, list[float]] = {name: [] for name in self.problem.names}
         for block in self.blocks:
             channel = next(one for one in self.problem.runs[block.trial].channels if one.name == block.channel)
@@ -778,7 +778,7 @@ def fit_model_error(
     priors: Mapping[str, tuple[float, float]] | None = None,
     found_beside: Mapping[str, float] | None = None,
 ) -> ModelErrorFit:
-    """Find the parameters again with all doubts as further unknowns, from where an update ended.
+    """Refit the parameters with all uncertain inputs as further unknowns, starting from the end of an update.
 
     ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
     parameters that are known beforehand (both SI, of the first trial's set-up). ``found_beside`` names what the update
@@ -844,18 +844,18 @@ class _SearchPoint:
 
     @cached_property
     def cost(self) -> float:
-        """What the search makes small: its weights, noise and the rest as few observations, are the slope of this."""
+        """Objective of the search; its weights (noise, and the unexplained part as few observations) are its slope."""
         noise, energy, _ = self.system.left(np.zeros(len(self.system.prior)))
         trials = len(self.problem.runs)
         rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.problem.names)
         return float(trials * OBSERVATIONS * rest + self.system.beforehand()[2])
 
     def rest_of(self, first: Mapping[str, float]) -> float:
-        """Share (1) of the mean squares ``first`` that is left and no noise, each channel over its noise."""
+        """Share (1) of the mean squares ``first`` that remains and is not noise, each channel over its noise."""
         return _share_left(self.step, first, 1.0)
 
     def after(self, step: Array) -> _SearchPoint:
-        """The place a step away, or as much of it as doubts may move at once and as can be simulated."""
+        """The point after a step, shortened so that uncertain inputs move little at once and can be simulated."""
         p = len(self.problem.free)
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
@@ -913,7 +913,7 @@ def _mean_squares(blocks: Sequence[_ChannelResiduals]) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Readings:
-    """What a test machine gives of each parameter, and the model's law over the ride: rows of (2, parameters), SI.
+    """Each parameter as a test machine gives it, and as the law over the ride: rows of (2, parameters), SI.
 
     ``slopes`` (2, parameters, unknowns) are those by scaled parameters and whitened nuisances; ``freedom`` are the
     degrees of freedom (1) of the standard ``errors``.
@@ -926,7 +926,7 @@ class Readings:
 
 
 def readings_of(fit: ModelErrorFit) -> Readings:
-    """Read the parts off a richer model where it ended."""
+    """Read the component values from the final state of an extended model."""
     one, state, system, found = fit.problem, fit.state, fit.system, fit.step
     p, q, count = len(one.free), len(one.nuisances), len(one.runs)
     laws = Laws(one.richer, fit.states)
@@ -949,7 +949,7 @@ def readings_of(fit: ModelErrorFit) -> Readings:
 
 
 def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrepancy:
-    """Tell what a fit found; ``bench`` are values of component tests (SI) to hold it against."""
+    """Summarise a fit; ``bench`` are values of component tests (SI) to compare it with."""
     one, state, system, found = fit.problem, fit.state, fit.system, fit.step
     p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), fit.first
     read = readings_of(fit)
@@ -1102,7 +1102,7 @@ def _free_group_by_group(
     p, q = len(one.free), len(one.nuisances)
 
     def rest(step: _Step) -> float:
-        """Energy of the rest over that of the noise, mean of the channels."""
+        """Energy of the unexplained part over that of the noise, mean of the channels."""
         return float(np.mean([step.energy[n] / (_length(system, n) * found.noise[n]) for n in one.names]))
 
     now = best = rest(found)
@@ -1289,7 +1289,7 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
 
 
 class DrawnRun:
-    """A trial, fitted or not, that is simulated with the richer model for draws of its unknowns."""
+    """A trial, fitted or not, simulated with the extended model for draws of its unknowns."""
 
     def __init__(self, found: ModelErrorFit, one: ModelErrorProblem, place: int, fitted: int | None) -> None:
         self.found, self.problem, self.run, self.fitted = found, one, one.runs[place], fitted
@@ -1328,7 +1328,7 @@ class DrawnRun:
         return float(found.state.lags[self.fitted] + unsure * mine[-1])
 
     def drawn(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
-        """Reading of each channel for scaled parameters and a step of the doubts; where lags are fitted, without."""
+        """Reading of each channel for scaled parameters and a step of the uncertain inputs, without fitted lags."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
         solution = self.run.simulate(plain, self.run.numbers(state), self.problem.inputs(state, 0))
@@ -1341,7 +1341,7 @@ class DrawnRun:
 
 
 def extended_runs(found: ModelErrorFit, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
-    """Trials ready to be simulated with the richer model, fitted ones with what is known of each."""
+    """Trials ready to be simulated with the extended model, fitted ones with the knowledge of each."""
     places = {run.prepared.source.name: i for i, run in enumerate(found.problem.runs)}
     for trial in trials:
         one = found.problem.with_trial(trial, replace(found.problem.settings, tolerance=1e-6))

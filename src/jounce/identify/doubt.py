@@ -1,4 +1,4 @@
-"""What may be wrong with a model and its measurements, and by how much: standard deviations of what is never exact."""
+"""Uncertainty of a model and its measurements: standard deviations of all inputs that are never exact."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Share = Annotated[float, Unit("1", at_least=0.0)]
 
 
 class Doubt(Description):
-    """How far model and measurements may be off, each as one standard deviation; 0 takes a thing as exact.
+    """Uncertainty of model and measurements, each as one standard deviation; 0 means exact.
 
     The defaults are those of a careful small laboratory. State what is known better, and what is known less: with half
     or double of them all, intervals of a spring rate are 0.5 to 0.7 and 2 times as wide, of a tyre's stiffness 0.7 to
@@ -110,7 +110,7 @@ class Doubt(Description):
 
 
 def doubts_of(given: Doubt | Mapping[str, Any]) -> Doubt:
-    """Give what is in doubt, of a table, too."""
+    """Return the uncertain inputs, also from a table."""
     if isinstance(given, Doubt):
         return given
     if not isinstance(given, Mapping):

@@ -1,4 +1,4 @@
-"""The same rig with more to it: laws that may bend, friction that may be elsewhere, masses that may be off.
+"""The same rig extended: laws that may bend, friction that may act elsewhere, masses that may be off.
 
 With all of it at zero the richer rig moves as the rig does, so its exact sensitivities say what each would change. Only
 friction of a guide that is fitted differs: half of it builds up over travel, until the recordings say how much does.
@@ -37,7 +37,7 @@ _MIDDLE = 0.5  # of the guide's friction: what builds up over travel, as far as 
 
 @dataclass(frozen=True)
 class Nuisance:
-    """Something of which only a mean and a standard deviation are known beforehand, in ``unit``.
+    """An input known beforehand only by its mean and standard deviation, in ``unit``.
 
     ``group`` names the entry of :class:`Doubt` that it comes from.
     """
@@ -51,7 +51,7 @@ class Nuisance:
 
 @dataclass(frozen=True)
 class RideExtent:
-    """Where a ride begins and how far it goes: static deflections of strut and tyre (m), largest strut speed (m/s)."""
+    """Operating range of a ride: static deflections of strut and tyre (m), largest strut speed (m/s)."""
 
     strut: float
     tyre: float
@@ -59,7 +59,7 @@ class RideExtent:
 
 
 class ExtendedRig:
-    """A richer rig: its description, what may be off, and its numbers for values of both.
+    """An extended rig: its description, its uncertain inputs, and its parameters for values of both.
 
     ``free`` are the paths of the fitted parameters; ``nuisances`` stand in the order of the whitened unknowns ``xi``
     (independent, mean 0, standard deviation 1) that stand for them. ``fitted`` are values (SI) that the rig does not
@@ -90,20 +90,20 @@ class ExtendedRig:
 
     @property
     def described(self) -> Rig:
-        """The richer rig's description, with the values of the rig."""
+        """The extended rig's description, with the values of the rig."""
         return type(self.rig).from_table(self._table)
 
     def of(self, rig: Rig) -> Rig:
-        """The richer description of another set-up of the same rig (angle, pressure)."""
+        """The extended description of another set-up of the same rig (angle, pressure)."""
         table = rig.model_dump(by_alias=True, exclude_none=True)
         return type(rig).from_table(_merged(self._table, table, self._replaced()))
 
     def columns(self) -> tuple[str, ...]:
-        """Paths of the richer rig that move with fitted parameters and nuisances."""
+        """Paths of the extended rig that change with fitted parameters and nuisances."""
         return tuple(self.numbers(self.values, {}, np.zeros(len(self.nuisances))))
 
     def plain(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
-        """Numbers of the rig by path, with masses, angle and friction as they may be."""
+        """Parameters of the rig by path, with uncertain masses, angle and friction."""
         p = {**values, **fitted}
         for i, path in self._shares.items():
             p[path] = p[path] * (1.0 + self.nuisances[i].deviation * xi[i])
@@ -115,7 +115,7 @@ class ExtendedRig:
         return p
 
     def numbers(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
-        """Numbers of the richer rig by path, from those of a set-up, fitted ones and nuisances."""
+        """Parameters of the extended rig by path, from those of a set-up, fitted ones and nuisances."""
         p = self.plain(values, fitted, xi)
         moving = (*self.free, *self._shares.values(), *self._added.values(), *self._factors.values())
         gone = self._gone()
@@ -231,7 +231,7 @@ class ExtendedRig:
         self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
 
     def undoubted(self) -> list[str]:
-        """Laws of the rig that are taken as they are described."""
+        """Laws of the rig that are assumed to be as described."""
         if not self.has_laws:
             return ["dampers", "friction", "springs", "tyres"]
         found = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
@@ -242,7 +242,7 @@ class ExtendedRig:
         return self._knotted
 
     def bent_at(self) -> Array:
-        """Strut velocities (m/s) of the damper's forces that are doubted: as far in rebound as in bump."""
+        """Strut velocities (m/s) of the damper's uncertain forces: as far in rebound as in bump."""
         return np.zeros(0) if self._knots is None else self._knots[self._knots != 0.0]
 
     def _frictions(self) -> None:
@@ -319,7 +319,7 @@ class ExtendedRig:
 
 
 def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
-    """Share (1) by which a number of a rig may be off, given as a share or in its unit; errors name ``where``."""
+    """Relative uncertainty (1) of a parameter of a rig, given as a share or in its unit; errors name ``where``."""
     values, place = rig.parameters(), f"{where}: {path}"
     if path not in values:
         raise unknown_path(place, values, name=path)

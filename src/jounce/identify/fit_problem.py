@@ -91,12 +91,12 @@ class FitTrial(Shown):
 
     @property
     def rig_without(self) -> Rig:
-        """The rig without what was added."""
+        """The rig without nuisances."""
         values = self.rig.parameters()
         return self.rig.with_changes({path: values[path] - more for path, more in self.added.items()})
 
     def in_motion(self, offset: Mapping[str, float]) -> FitTrial:
-        """Give the trial begun away from equilibrium (SI by state): no sensor shows its zero then."""
+        """Return the trial started away from equilibrium (SI by state): no sensor shows its zero then."""
         sensors = dict(self.sensors)
         for name in map(str, self.measured.data_vars):
             sensor = sensors.get(name, Sensor())
@@ -137,20 +137,20 @@ class FreeParameter:
 
 
 class Unknown(Protocol):
-    """An unknown of trials and sensors, beside the rig's parameters."""
+    """An unknown of trials and sensors, in addition to the rig's parameters."""
 
     @property
     def name(self) -> str:
-        """How it is called."""
+        """Key of the unknown in results."""
         ...
 
     @property
     def free(self) -> FreeParameter:
-        """Its start and bounds."""
+        """Its start value and bounds."""
         ...
 
     def concerns(self, trial: FitTrial) -> bool:
-        """Whether it changes anything of a trial."""
+        """Whether it affects a trial."""
         ...
 
     def applied(self, trial: FitTrial, found: float) -> FitTrial:
@@ -212,7 +212,7 @@ class Prepared:
     offsets: Array
 
     def own(self, values: Array) -> Array:
-        """Values of this trial for those of the first trial without what was added to it."""
+        """Values of this trial for those of the first trial without nuisances."""
         return values * self.factors + self.offsets
 
     def solve(self, values: Array, tolerance: float) -> Solution:
@@ -272,7 +272,7 @@ class Residuals:
 
     @cached_property
     def jacobian(self) -> Array:
-        """Derivatives with the lags following, as far as least squares sees them: what a lag can explain is left out.
+        """Derivatives for least squares with fitted lags: the part that a lag can explain is left out.
 
         The lags are those that fit best with the parameters as they are (variable projection, Kaufman's form).
         """
@@ -293,7 +293,7 @@ _ASIDE = 1e-3  # of half the range: step to either side for derivatives by nuisa
 
 
 def project_out(columns: Array, direction: Array) -> None:
-    """Take out of each column, in place, what one direction explains."""
+    """Remove from each column, in place, the part that one direction explains."""
     length = float(direction @ direction)
     if length > 0.0:
         columns -= np.outer(direction / length, direction @ columns)
@@ -329,7 +329,7 @@ class UpdateProblem:
         self._last: tuple[bytes, Residuals] | None = None
 
     def coarser(self, tolerance: float) -> UpdateProblem:
-        """The same problem with simulations of less effort, and a count of its own."""
+        """The same problem with coarser simulations, and its own count."""
         found = copy(self)
         found.tolerance, found.evaluations, found._last = max(tolerance, self.tolerance), 0, None
         return found
@@ -480,7 +480,7 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
 
 
 class Simulated:
-    """A trial simulated once with its rig's own values: what its sensors read, and all that the model gives."""
+    """A trial simulated once with its rig's own values: sensor readings, and all outputs of the model."""
 
     def __init__(self, trial: FitTrial, tolerance: float = 1e-6) -> None:
         self.trial = trial
@@ -510,7 +510,7 @@ class Simulated:
 
 
 def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings) -> Prepared:
-    """Compile a trial's model with the free parameters and get its channels ready; refuse what cannot be compared."""
+    """Compile a trial's model with the free parameters, prepare its channels, and refuse incomparable ones."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
     names, weights = settings.channels, settings.weights

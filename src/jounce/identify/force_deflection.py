@@ -112,7 +112,7 @@ class SeatedTrial:
         return self.deflection[part], self.force[part]
 
     def is_two_sided(self) -> bool:
-        """Tell whether the trial goes well into tension and into compression, about its zero."""
+        """Whether the trial goes well into both tension and compression, about its zero."""
         return all(-_TENSION * column.max() > column.min() for column in (self.deflection, self.force))
 
     def has_unloading(self) -> bool:
@@ -121,7 +121,7 @@ class SeatedTrial:
 
 
 def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[Finding]]:
-    """Make compression positive and put the zero of a trial at first contact, with findings that say what was changed.
+    """Make compression positive and put the zero of a trial at first contact; findings report the changes.
 
     A record whose deflection goes negative is reversed; so is a force that falls while the deflection grows. With
     ``zero="first-contact"`` a leading stretch of free travel (at least eight points over more than 3 % of the stroke,

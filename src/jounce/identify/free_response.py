@@ -49,7 +49,7 @@ class DecayParameters:
 
     @property
     def half_cycle_ratio(self) -> float:
-        """What viscous damping alone leaves of an amplitude after half a cycle [1]."""
+        """Share of an amplitude that remains after half a cycle of viscous damping alone [1]."""
         return math.exp(-math.pi * self.damping_ratio / math.sqrt(1.0 - self.damping_ratio**2))
 
 

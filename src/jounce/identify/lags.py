@@ -1,4 +1,4 @@
-"""The lag of a recording behind its simulation: found from one simulation, since a shift needs no other."""
+"""The lag of a recording behind its simulation, estimated from one simulation, since a shift needs no second run."""
 
 from __future__ import annotations
 

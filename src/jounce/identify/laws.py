@@ -1,4 +1,4 @@
-"""What a parameter stands for: the value of its law over the states of a ride, in two readings.
+"""Meaning of a parameter: the value of its law over the states of a ride, in two readings.
 
 The *component value* is what a test machine gives of the part: the slope of the damper's force over velocity alone (of
 each side where its law has one for each), its force of sliding, the tangent of spring and tyre at the static load. The
@@ -22,7 +22,7 @@ from jounce.simulation.result import Solution
 
 @dataclass(frozen=True)
 class States:
-    """Where a ride has been, each shape (n,): time (s), strut and tyre deflections (m), rates (m/s), body velocity."""
+    """States of a ride, each shape (n,): time (s), strut and tyre deflections (m), rates (m/s), body velocity."""
 
     time: Array
     strut: Array
@@ -33,7 +33,7 @@ class States:
 
     @classmethod
     def of(cls, compiled: Compiled, solution: Solution) -> States:
-        """Read them off a simulation; what the model does not show is zero."""
+        """Read them from a simulation; states that the model does not have are zero."""
         names, time = compiled.output_names, solution.time
 
         def seen(name: str) -> Array:
@@ -66,7 +66,7 @@ class States:
 
 
 class Laws:
-    """Readings of the fitted parameters from the richer rig's numbers over the states ridden."""
+    """Readings of the fitted parameters from the extended rig's parameters over the states of the ride."""
 
     def __init__(self, richer: ExtendedRig, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer

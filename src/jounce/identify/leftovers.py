@@ -1,4 +1,4 @@
-"""What a fit leaves of a record, and which fault of the record it looks like: a delay, a scale, a drift.
+"""Residuals of a record after a fit, and the fault that they look like: a delay, a scale, a drift.
 
 The values that were fitted make up for such a fault as far as they can, with intervals that know nothing of it.
 """
@@ -26,7 +26,7 @@ _LOUD, _ALIKE, _MATTERS = 2.0, 4.0, 0.01  # times the noise, samples of correlat
 
 @dataclass(frozen=True)
 class LeftOver:
-    """One channel of one trial beside what the updated model reads there, shape (n,) each, SI; ``rate`` in Hz.
+    """One channel of one trial with the updated model's reading, shape (n,) each, SI; ``rate`` in Hz.
 
     ``noise`` is the standard deviation of its noise where that is known.
     """
@@ -50,7 +50,7 @@ class LeftOver:
 
 
 def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligned: bool) -> list[Finding]:
-    """Name the fault of a channel's records that would explain most of what is left, in all trials together.
+    """Name the fault of a channel's records that would explain most of the residual, in all trials together.
 
     ``longest`` is the largest delay looked for (s). With ``is_aligned`` each trial has a lag already, so a delay is
     that of this channel behind the others.
@@ -125,7 +125,7 @@ def _delay(
 
 
 def beyond_noise(parts: Sequence[LeftOver]) -> float | None:
-    """How often the noise of the records their rests are, where a pattern is left that matters; None else."""
+    """Ratio of the residuals to the noise of the records, if a relevant pattern remains; otherwise None."""
     noises = [noise_of(part.measured) if part.noise is None else part.noise for part in parts]
     noise = float(np.sqrt(np.mean(np.square(noises))))
     rest = float(np.sqrt(np.mean(np.concatenate([part.rest for part in parts]) ** 2)))

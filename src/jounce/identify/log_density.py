@@ -105,7 +105,7 @@ def _weights(u: Array) -> Array:
 
 @dataclass(frozen=True)
 class Region:
-    """Where unknowns may lie: around a centre with a covariance (whitened by ``root``), between bounds."""
+    """Region of the unknowns: around a centre with a covariance (whitened by ``root``), between bounds."""
 
     centre: Array
     root: Array
@@ -160,7 +160,7 @@ class LogDensity:
 
 
 def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
-    """Fit a log density by exact values and slopes, and hold it against fresh draws; more points where it is off."""
+    """Fit a log density to exact values and slopes, and check it with new draws; add points where it is off."""
     count = len(region.centre)
     first = next((degree for most, degree in _DEGREES if count <= most), 2)
     rng = np.random.default_rng(seed)

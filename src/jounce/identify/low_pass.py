@@ -1,4 +1,4 @@
-"""A low pass of the logger, seen in the noise of a record."""
+"""Detect a low-pass filter of the logger in the noise of a record."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves 
 def low_pass_corner(
     residual: Array, rate: float, frequency: float, *, reach: float, step: float, near: float
 ) -> float | None:
-    """Find where (Hz) a low pass ends the noise of a record; None where it does not, or above ``near`` frequencies.
+    """Find where (Hz) a low-pass filter ends the noise of a record; None without one, or above ``near`` frequencies.
 
     ``residual`` is what a fit leaves of a motion at ``frequency`` (Hz), sampled at ``rate`` (Hz), and ``reach`` and
     ``step`` are range and resolution of the record in its unit.
@@ -46,7 +46,7 @@ def low_pass_corner(
 
 
 def smoother_corner(signal: Array, response: Array, rate: float, *, near: float) -> float | None:
-    """Find from where on (Hz) a record lacks what its own fitted response has; None where nowhere below ``near``.
+    """Find the frequency (Hz) above which a record lacks what its fitted response has; None if not below ``near``.
 
     A response with dry friction has corners, a record behind a low pass has none. Both are sampled at ``rate`` (Hz).
     """

@@ -15,7 +15,7 @@ Quantity = Literal[
 
 @dataclass(frozen=True)
 class MeasuredMotion:
-    """What a motion is told in: its quantities from the deflection to its second derivative, and units (SI).
+    """Terms of a motion: its quantities from the deflection to its second derivative, and units (SI).
 
     ``..._word`` are what the numbers are called, ``pushed`` and ``pulled`` the sides of a deflection, which times
     ``factor`` is in ``shown``.
@@ -89,7 +89,7 @@ def in_motion(name: str) -> Callable[[Any], str]:
 
 
 def motion_of(quantity: Quantity) -> MeasuredMotion:
-    """Give the motion that a quantity is one of.
+    """Return the motion that a quantity belongs to.
 
     >>> motion_of("angle").name
     'rotation'

@@ -1,4 +1,4 @@
-"""The next trial worth running: what each would be expected to tell about the parameters.
+"""The next trial worth running, by the information that each is expected to give about the parameters.
 
 Linearised Gaussian: before and after a trial the covariance of the parameters follows from exact sensitivities,
 whatever the trial will measure; the expected information gain is the log of the ratio of both volumes [lindley1956].
@@ -57,7 +57,7 @@ class Candidate(Shown):
 
 @dataclass(frozen=True)
 class CandidateGain(Shown):
-    """What a trial would be expected to tell.
+    """Expected information of a trial.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class CandidateGain(Shown):
 
 @dataclass(frozen=True)
 class NextTrials(Plain, Shown):
-    """Trials that could be run, by what they would tell.
+    """Candidate trials, ranked by their expected information.
 
     Attributes
     ----------
@@ -214,7 +214,7 @@ class _NoiseOnly:
         return np.asarray(np.linalg.inv(information) * np.outer(self.scale, self.scale))
 
     def information(self, candidate: Candidate) -> Array:
-        """What a trial adds."""
+        """Information that a trial adds."""
         return self.weight * self._plain(_simulated_recording(candidate, self.basis))
 
     def _plain(self, trial: FitTrial) -> Array:
@@ -254,10 +254,10 @@ class _WithDoubt:
         self.rest = {name: share / OBSERVATIONS for name, share in self.found.rest.items()}
 
     def covariance(self, information: Array) -> Array:
-        """Covariance of what a test machine would give of the parts, SI."""
+        """Covariance of the component values that a test machine would give, SI."""
         slopes = self.read.slopes[0]
         return np.asarray(slopes @ np.linalg.inv(information) @ slopes.T)
 
     def information(self, candidate: Candidate) -> Array:
-        """What a trial adds; what nothing explains grows with the signal, as in the fitted trials."""
+        """Information that a trial adds; the unexplained part grows with the signal, as in the fitted trials."""
         return candidate_information(self.found, _simulated_recording(candidate, self.basis), self.noise, self.rest)

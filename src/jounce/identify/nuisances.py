@@ -1,4 +1,4 @@
-"""What a record can be wrong about that a rig knows nothing of: speed, a filter before the logger, motion at its start.
+"""Errors of a record outside the rig: speed, a filter before the logger, motion at its start.
 
 Left alone, the fitted values make up for it. Freed, it is found with them; what a fit leaves tells which one to free.
 """
@@ -43,18 +43,18 @@ class SearchedNuisance:
 
     @property
     def unit(self) -> str:
-        """SI unit of the value that is told."""
+        """SI unit of the reported value."""
         return "m/s" if self.name == SPEED else "Hz"
 
     @property
     def width(self) -> float:
-        """How far its bounds let it be off (1): a share of the speed, the logarithm of a corner."""
+        """Deviation that its bounds allow (1): a share of the speed, the logarithm of a corner."""
         free = self.free
         return free.half_range / free.initial if self.name == SPEED else 0.5 * math.log(free.upper / free.lower)
 
     @property
     def is_inverse(self) -> bool:
-        """Whether one over its value is searched."""
+        """Whether the inverse of its value is searched."""
         return self.name != SPEED
 
     def concerns(self, _trial: FitTrial) -> bool:
@@ -72,7 +72,7 @@ class SearchedNuisance:
 
 @dataclass(frozen=True)
 class SearchedStart:
-    """How far one natural vibration goes when the record of one trial begins: an amplitude in m.
+    """Amplitude (m) of one natural vibration at the start of one trial's record.
 
     Attributes
     ----------
@@ -99,15 +99,15 @@ class SearchedStart:
 
     @property
     def width(self) -> float:
-        """Half of what its bounds allow, m."""
+        """Half of the range of its bounds, m."""
         return self.free.half_range
 
     def concerns(self, trial: FitTrial) -> bool:
-        """The trial it is of."""
+        """Its trial."""
         return trial.name == self.trial
 
     def applied(self, trial: FitTrial, found: float) -> FitTrial:
-        """The trial begun so far from equilibrium."""
+        """The trial started at this distance from equilibrium."""
         if not self.concerns(trial):
             return trial
         offset = {state: trial.offset.get(state, 0.0) + found * value for state, value in self.shape.items()}
@@ -115,7 +115,7 @@ class SearchedStart:
 
 
 def begins_unknown(trial: FitTrial) -> bool:
-    """Whether motion before the record could be seen in it: that of a belt's loops is simulated."""
+    """Whether motion before the record can affect it; that of a belt's loops is simulated."""
     return float(trial.measured["time"][0]) <= _AT_ONCE
 
 
@@ -154,7 +154,7 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
 
 
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
-    """The sensor with a low pass of this corner (Hz)."""
+    """The sensor with a low-pass filter at this corner (Hz)."""
     return (sensor or Sensor()).changed(low_pass=corner)
 
 

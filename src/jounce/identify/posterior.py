@@ -62,7 +62,7 @@ def _silent(_text: str) -> None:
 
 @dataclass(frozen=True)
 class PosteriorParameter(Shown):
-    """What is known of one parameter, SI.
+    """Knowledge of one parameter, SI.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class PosteriorParameter(Shown):
 
 @dataclass(frozen=True)
 class LikelihoodProfile(Shown):
-    """Log likelihood over one parameter with all others as they fit best there, 0 at its top.
+    """Log likelihood over one parameter with all others at their best fit, 0 at its maximum.
 
     Attributes
     ----------
@@ -118,7 +118,7 @@ class LikelihoodProfile(Shown):
     log_likelihood: Array
 
     def interval(self) -> tuple[float, float] | None:
-        """Ends where the log likelihood has fallen by 1.92 (95 %); None where it does not within the values."""
+        """Ends where the log likelihood has fallen by 1.92 (95 %); None if it does not fall that far."""
         top = int(np.argmax(self.log_likelihood))
         ends = []
         for side in (range(top, -1, -1), range(top, len(self.values))):
@@ -134,7 +134,7 @@ class LikelihoodProfile(Shown):
 
 @dataclass(frozen=True)
 class Posterior(Plain, Shown):
-    """What a fit knows of its parameters.
+    """A fit's knowledge of its parameters.
 
     Attributes
     ----------
@@ -212,7 +212,7 @@ class UpdatedDensity:
 def update_with_density(
     trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings, progress: Progress
 ) -> UpdatedDensity:
-    """Update a model, and give the density of its parameters with what it rests on."""
+    """Update a model, and return the density of its parameters with its basis."""
     name, doubt = settings.name, settings.doubts
     progress(f"{name}: update")
     bounds_ = bounds_and_priors(trials[0].rig_without, free, name)[0] if trials else {}
@@ -265,7 +265,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     predicted_with: int = 50,
     progress: Progress = _silent,
 ) -> Posterior:
-    """Update a model and tell all that the recordings say of its parameters: draws, intervals, predictions.
+    """Update a model and report all information about its parameters: draws, intervals, predictions.
 
     Parameters
     ----------

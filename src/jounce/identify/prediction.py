@@ -31,7 +31,7 @@ _AROUND = 0.05  # s over which the level of a signal is taken
 
 @dataclass(frozen=True)
 class PredictionBand(Shown):
-    """What is predicted of one channel of one trial, and what was measured; SI.
+    """Prediction and measurement of one channel of one trial; SI.
 
     Attributes
     ----------

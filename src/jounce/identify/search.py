@@ -34,7 +34,7 @@ class Optimum:
 
 @dataclass(frozen=True)
 class SearchOutcome:
-    """The best place, other ones by what they leave, number of starts, and whether two of them led to the best."""
+    """The best point, others by their residual, the number of starts, and whether two starts led to the best."""
 
     best: Optimum
     others: tuple[Optimum, ...]
@@ -124,7 +124,7 @@ def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
 
 
 def is_stationary(problem: UpdateProblem, x: Array) -> bool:
-    """Tell whether a Gauss-Newton step within the bounds would lower the objective by less than 1e-6 of it."""
+    """Whether a Gauss-Newton step within the bounds would lower the objective by less than a millionth."""
     residuals = problem.residuals(x)
     gradient = residuals.jacobian.T @ residuals.vector
     clamped = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)

@@ -1,4 +1,4 @@
-"""Settings of an update: what is compared, how it is searched, and what is in doubt."""
+"""Settings of an update: what is compared, how the search runs, and which inputs are uncertain."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def zigzag(signal: Array, threshold: float) -> list[int]:
 
 
 def lost_samples(time: Array, signal: Array) -> int:
-    """Count places where a smooth signal goes on as if samples were missing, though the time goes on evenly.
+    """Count places where a smooth signal jumps as if samples were missing, although the time advances evenly.
 
     There one step is larger by half and more than two on either side, which are alike and far above the noise.
 

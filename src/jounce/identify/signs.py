@@ -1,4 +1,4 @@
-"""How a test machine counts stroke and force, stated or found: compression is positive in jounce, for both.
+"""Sign conventions of a test machine for stroke and force, stated or detected; jounce takes compression as positive.
 
 Physics decides what it can: a damper dissipates, so the product of both signs is known; the gas behind its piston
 pushes outwards, so a force that stays at rest in mid-stroke tells the sign of the force. A turned stroke (or both
@@ -36,7 +36,7 @@ _IDLE = 0.02  # work over the work of the sizes: less is no damper
 
 @dataclass(frozen=True)
 class Signs:
-    """Which way stroke and force count: +1 as jounce does (compression positive), -1 the other way."""
+    """Signs of stroke and force: +1 as in jounce (compression positive), -1 reversed."""
 
     stroke: int = 1
     force: int = 1
@@ -71,7 +71,7 @@ _FORCES = ("force", "load")
 def compression_positive(
     recording: xr.Dataset, stroke_positive: StrokePositive | None, force_positive: ForcePositive | None
 ) -> xr.Dataset:
-    """Give a recording with deflections, strokes, travels and forces positive in compression, turned as stated."""
+    """Return a recording with deflections, strokes, travels and forces positive in compression, reversed as stated."""
     signs = dict.fromkeys(_STROKES, sign_of(stroke_positive, "stroke"))
     signs |= dict.fromkeys(_FORCES, sign_of(force_positive, "force"))
     turned = {
@@ -83,7 +83,7 @@ def compression_positive(
 
 
 def check_stroke(channel: str, stroke_positive: StrokePositive | None, *, where: str) -> None:
-    """Refuse a sign of the stroke that is stated for a channel which is none (a height counts upwards)."""
+    """Refuse a stroke sign stated for a channel that is not a stroke (a height is positive upwards)."""
     if stroke_positive is not None and quantity_of(channel) not in _STROKES:
         raise DescriptionError(
             "the channel is no stroke, whose sign could be stated",
@@ -108,7 +108,7 @@ def likeness(measured: Array, simulated: Array, most: int) -> float:
 
 
 def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
-    """Say that a channel goes against the model."""
+    """Report a channel whose sign is opposite to the model's."""
     return finding("identify.channel_turned", name, like, trials=", ".join(trials), correlation=like)
 
 
@@ -138,7 +138,7 @@ def damper_signs(
     name: str,
     findings: list[Finding],
 ) -> Signs:
-    """Find how a damper record counts, from what is stated and what physics says; findings name a turned column.
+    """Find the signs of a damper record from statements and physics; findings name a reversed column.
 
     ``velocity`` is the derivative of the ``stroke`` as recorded. A statement is trusted as far as the damper
     dissipates. Without one compression is taken as positive, and a finding of severity "warning" says when the record
@@ -178,7 +178,7 @@ class _Choice:
     unlike: bool  # or the gas pulls
 
     def dissipating(self, add: Callable[..., None]) -> Signs:
-        """Stroke and force agree: both are right, or both are turned."""
+        """Stroke and force agree: both signs are right, or both are reversed."""
         stated = self.stroke_is_stated or self.force_is_stated
         if not self.unlike or self.gas > 0 or (stated and not self.gas):
             return self.stated
@@ -190,7 +190,7 @@ class _Choice:
         return self.stated
 
     def turned(self, add: Callable[..., None]) -> Signs:
-        """Stroke and force contradict each other: exactly one column is turned, and the gas force tells which."""
+        """Stroke and force contradict each other: exactly one column is reversed, and the gas force tells which."""
         both = self.stroke_is_stated and self.force_is_stated
         if self.stroke_is_stated != self.force_is_stated:
             column = "force" if self.stroke_is_stated else "stroke"
@@ -221,7 +221,7 @@ class _Choice:
 
 
 def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
-    """Force at rest in mid-stroke (N): what is left where the motion is slow, without damping, friction and spring."""
+    """Force at rest in mid-stroke (N), from slow motion, without damping, friction and spring."""
     peak = float(np.abs(velocity).max())
     for share in (_SLOW, 2.0 * _SLOW, 1.0):
         slow = np.abs(velocity) <= share * peak

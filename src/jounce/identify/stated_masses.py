@@ -1,4 +1,4 @@
-"""Masses that a rig states, held against trials: what is recorded of motion knows their ratios, and no scale."""
+"""Compare stated masses with trials: recorded motion determines their ratios, but not their scale."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ _WEIGHED = 0.02  # of a load: as far as masses of lumped rigs are doubted
 
 
 def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
-    """Say that other masses would leave half as much, and which ratio of them the data prefer.
+    """Report if other masses would halve the residual, and the mass ratio that the data prefer.
 
     ``scaled`` is the optimum of ``problem`` with the masses as stated. Their common scale is nothing that the data
     know: the sum stays as stated.
@@ -119,7 +119,7 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
 def scale_of_masses(
     free: Sequence[str], channels: Sequence[str], doubt: float, known: Collection[str], *, is_weighed: bool = False
 ) -> list[Finding]:
-    """Say that the scale of all rates is that of the stated masses, where no force was measured.
+    """Report that, without a measured force, the stated masses set the scale of all rates.
 
     ``doubt`` is how far the masses may be off (1, 95 %), ``known`` the parameters that have a value of their own
     beforehand; ``is_weighed`` tells that the wheel load at rest was measured.
@@ -137,7 +137,7 @@ def scale_of_masses(
 def off_together(
     found: Mapping[str, float], bench: Mapping[str, Estimate], contradicted: Collection[str], angle: float
 ) -> list[Finding]:
-    """Say which masses or which strut angle make up for rates that all differ from their bench values by one factor.
+    """Report the masses or strut angle that would explain rates that all differ from their bench values by one factor.
 
     ``found`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the paths
     of which both disagree; ``angle`` is the stated strut angle in rad.

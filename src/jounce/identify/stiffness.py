@@ -241,7 +241,7 @@ _RATE, _FORCE, _DEFLECTION = in_motion("stiffness"), in_motion("force"), in_moti
 
 @dataclass(frozen=True)
 class TrialStiffness(Plain):
-    """What one trial shows by itself: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
+    """Result of one trial alone: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
 
     ``intercept`` [N] is the force of the fitted line at zero deflection, None for laws without one; ``loss_factor`` [1]
     is energy lost / (2 pi work of loading), None without an unloading branch, as is the ``hysteresis_energy`` of the
@@ -341,7 +341,7 @@ class StiffnessResult(Shown):
 
     @property
     def of_branch(self) -> str:
-        """What a legend says behind the fit: ``", loading"`` where the trials were unloaded as well, else nothing."""
+        """Suffix of the fit in a legend: ``", loading"`` where the trials were unloaded as well, else nothing."""
         return f", {self.branch}" if self.branch != "both" and self.loss_factor is not None else ""
 
 

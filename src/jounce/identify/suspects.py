@@ -1,4 +1,4 @@
-"""What a fit leaves, held against what records and trials may be wrong about: filters, speed, height, reference.
+"""Compare the residuals of a fit with possible faults of records and trials: filters, speed, height, reference.
 
 Each suspect is tried as a change of the readings, or as one more unknown, after one step of what was fitted.
 """
@@ -33,7 +33,7 @@ _MATTERS = 1e-4  # of the energy of the records: less is not worth a word
 
 @dataclass(frozen=True)
 class WeightedResiduals:
-    """Weighted residuals of all trials at the optimum, and their derivatives by all that was fitted, a column each.
+    """Weighted residuals of all trials at the optimum, and their derivatives by all fitted values, a column each.
 
     ``readings`` are rows, weight, simulated reading, sample rate (Hz) of a channel in each trial, with whether a
     constant of it is free.
@@ -54,7 +54,7 @@ class WeightedResiduals:
         return min(one[3] for one in self.readings[channel])
 
     def explained_by(self, slope: Array) -> tuple[float, float]:
-        """How much of one more unknown there would be, and the share of what is left that it would explain (1).
+        """Value of one more unknown, and the share of the residual that it would explain (1).
 
         ``slope`` is the derivative of the residuals by it.
         """
@@ -68,12 +68,12 @@ class WeightedResiduals:
 
     @cached_property
     def fitted(self) -> Array:
-        """Orthonormal directions of the residuals that what was fitted can change."""
+        """Orthonormal directions of the residuals that the fitted values can change."""
         directions, sizes, _ = np.linalg.svd(self.jacobian, full_matrices=False)
         return np.asarray(directions[:, sizes > _SEEN * sizes.max(initial=0.0)])
 
     def after(self, changes: Sequence[tuple[slice, Array, Array]] = ()) -> float:
-        """Sum of squares after one step of what was fitted, with other residuals and derivatives in some rows."""
+        """Sum of squares after one step of the fitted values, with other residuals and derivatives in some rows."""
         gram, pull, size = self._products
         gram, pull = gram.copy(), pull.copy()
         for rows, vector, jacobian in changes:
@@ -90,7 +90,7 @@ class WeightedResiduals:
 
 
 def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
-    """The corner (Hz) of a low pass that would explain most of what is left of a channel, better than a delay does."""
+    """Corner (Hz) of a low-pass filter that would explain most of a channel's residual, better than a delay does."""
     if rest.size < _MATTERS * rest.energy:
         return None
     rate = rest.rate_of(channel)
@@ -106,7 +106,7 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
 
 
 def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
-    """The corner (Hz) of a high pass that would explain most of what is left of a channel."""
+    """The corner (Hz) of a high-pass filter that would explain most of a channel's residual."""
     if rest.size < _MATTERS * rest.energy:
         return None
     corner, after = _best_corner(rest, channel, "high_pass", np.geomspace(*_COUPLED, _CORNERS))
@@ -132,7 +132,7 @@ def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Arra
 
 
 def late_share(rest: WeightedResiduals) -> float:
-    """Share of what is left that one delay of all records explains: a clock is likelier than what explains no more."""
+    """Share of the residual that a common delay of all records explains; other causes must explain more."""
     rate = min(one[3] for channel in rest.readings.values() for one in channel)
 
     def left(samples: float) -> float:
@@ -162,7 +162,7 @@ def _left_after_delay(rest: WeightedResiduals, channel: str, delay: float) -> fl
 
 
 def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:
-    """The error of the speed that would explain most of what is left; ``slope`` is that by its logarithm."""
+    """The error of the speed that would explain most of the residual; ``slope`` is its derivative by the log speed."""
     error, share = rest.explained_by(slope)
     if share < _EXPLAINS or abs(error) < _SLIGHT:
         return None
@@ -170,7 +170,7 @@ def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | N
 
 
 def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | None:
-    """Tell whether records that begin in motion would explain most of what is left.
+    """Whether records that begin in motion would explain most of the residual.
 
     ``slopes`` are those by the amplitude of each natural vibration of each trial (m).
     """
@@ -215,7 +215,7 @@ all trials is asked for (`_EXPLAINS`)."""
 def road_in(
     rest: WeightedResiduals, channel: str, roads: Sequence[tuple[slice, Array]]
 ) -> tuple[float, Finding] | None:
-    """Tell whether a channel counts from the road instead of the ground; ``roads`` are heights (m) in its rows."""
+    """Whether a channel is measured from the road instead of the ground; ``roads`` are heights (m) in its rows."""
     best, at = (0.0, 0.0), 0.0
     rate = rest.rate_of(channel)
     weights = [one[1] for one in rest.readings[channel]]
@@ -238,7 +238,7 @@ def road_in(
 def suspects(
     problem: UpdateProblem, residuals: Residuals, scaled: Array, whole: Array, loud: Sequence[str]
 ) -> list[tuple[float, Finding]]:
-    """Faults of sensors and trials that explain most of what is left, with their share of it.
+    """Faults of sensors and trials that explain most of the residual, with their share of it.
 
     ``loud`` are the channels of which more is left than noise: without one there is nothing to explain.
     """

@@ -1,4 +1,4 @@
-"""Trials of one update held against each other: one that disagrees with the others, or has its channels exchanged."""
+"""Compare the trials of one update: one that disagrees with the others, or has its channels exchanged."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
 
 
 def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
-    """Name trials of which the updated model leaves far more than of the others, noise aside."""
+    """Name trials whose residuals in the updated model are far larger than those of the others, noise aside."""
     shares = dict[str, list[float]]()
     for parts in left.values():
         for part in parts:
@@ -97,7 +97,7 @@ def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
 
 
 def exchanged_channels(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
-    """Name channels of one unit whose records look more like each other's reading than like their own."""
+    """Name pairs of channels of one unit whose records resemble each other's reading more than their own."""
     found = []
     for one, other in combinations(left, 2):
         if channel_unit(one) != channel_unit(other):

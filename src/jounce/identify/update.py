@@ -1,4 +1,4 @@
-"""Model updating: find the parameters with which the model gives what was measured."""
+"""Model updating: find the parameters with which the model reproduces the measurements."""
 
 from __future__ import annotations
 
@@ -242,7 +242,7 @@ class UpdateResult(Shown):
 
     @property
     def parts(self) -> Annotated[dict[str, Estimate], Shows(", as the part has it", _units)]:
-        """Path to the value of the part with the interval that counts what the model lacks, SI; empty without one."""
+        """Path to the component value whose interval includes model error, SI; empty without one."""
         laws = {} if self.discrepancy is None else self.discrepancy.parameters
         return {path: Estimate(law.value, 0.5 * law.half_width, law.interval) for path, law in laws.items()}
 
@@ -348,7 +348,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 def run_update(
     trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings
 ) -> tuple[UpdateResult, ModelErrorFit | None]:
-    """Update as :func:`update_model` does; gives also where the extended model ended, where model error is counted."""
+    """Like :func:`update_model`, but also return the final state of the extended model if model error is included."""
     name, doubt, align = settings.name, settings.doubts, settings.fits_lags
     if not trials:
         raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')

@@ -1,4 +1,4 @@
-"""What can be wrong with a record before it is evaluated: units, columns, weights, saturation, the other plate."""
+"""Checks of a record before it is evaluated: units, columns, weights, saturation, the other plate."""
 
 from __future__ import annotations
 

@@ -43,17 +43,17 @@ def remark(place: str, severity: Severity, code: str, value: float | None = None
 
 
 def problem(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make the finding of what makes a record unfit; ``code`` and ``words`` as of `remark`."""
+    """Make a finding that makes a record unfit; ``code`` and ``words`` as of `remark`."""
     return remark(place, "problem", code, value, **words)
 
 
 def warning(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make the finding of what weakens a value; ``code`` and ``words`` as of `remark`."""
+    """Make a finding that weakens a value; ``code`` and ``words`` as of `remark`."""
     return remark(place, "warning", code, value, **words)
 
 
 def of_plain(table: Mapping[str, Any]) -> Finding:
-    """Give a finding back from its plain table, with its code where it has one that is known.
+    """Restore a finding from its plain table, with its code if it is known.
 
     Examples
     --------

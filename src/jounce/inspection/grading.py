@@ -85,7 +85,7 @@ def difference_of(
 def grade_differences(
     differences: Sequence[Difference], limits: Limits, used: Sequence[str], across: str
 ) -> tuple[tuple[Difference, ...], list[Reason]]:
-    """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons of the limits that count.
+    """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons from the decisive limits.
 
     ``used`` are the methods that decide; limits that belong to none of them only name their band. A difference is in
     the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt. One of
@@ -270,7 +270,7 @@ class VehicleGrade:
         return {"axles": [axle.to_dict() for axle in self.axles], **self.summary()}
 
     def summary(self) -> dict[str, Any]:
-        """Plain JSON object of what is said about the vehicle as a whole."""
+        """Plain JSON object about the vehicle as a whole."""
         sides: dict[str, dict[str, Any]] = {}
         for difference in self.differences:
             sides.setdefault(difference.place, {})[difference.quantity] = to_plain(difference.to_dict())

@@ -1,4 +1,4 @@
-"""Limits of the inspection as data: bands of each method, of what must hold for it, and of differences."""
+"""Limits of the inspection as data: bands of each method, of its conditions, and of differences."""
 
 from __future__ import annotations
 
@@ -154,14 +154,14 @@ class Criterion(Description):
         return tuple(band.end for band in self.bands[:-1])
 
     def passing_from(self) -> float | None:
-        """Least limit from which on a value passes where more is better; None where there is none."""
+        """Least passing limit if more is better; None if there is none."""
         for low, high in zip(self.bands[:-1], self.bands[1:], strict=True):
             if low.verdict != "pass" and high.verdict == "pass":
                 return high.start
         return None
 
     def failing_below(self) -> float | None:
-        """Limit below which a value fails where more is better; None where there is none."""
+        """Limit below which a value fails if more is better; None if there is none."""
         starts = [band.start for band in self.bands]
         fails = [band.end for band in self.bands if band.verdict == "fail"]
         least = self.passing_from()

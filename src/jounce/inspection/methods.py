@@ -74,7 +74,7 @@ class WheelTest:
 
 @dataclass
 class MethodResult:
-    """What a method found in a test."""
+    """Result of a method in a test."""
 
     # by key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known
     values: dict[str, Any] = field(default_factory=dict)
@@ -185,7 +185,7 @@ class PhaseMinimum:
 
 
 def phase_angles(analysis: Analysis, rows: Array) -> Array:
-    """Phase angle (degrees) of each turn from what the force does in it (n, 7).
+    """Phase angle (degrees) of each turn from the course of the force in it (n, 7).
 
     ``360 f (t_ref - t_top)``: t_ref lies midway between the time at which the force falls below the static load and the
     one at which it rises above it again, around its least value; f is one over the time from this top to the next. The

@@ -1,4 +1,4 @@
-"""How values and sentences of an inspection are written, in English and German."""
+"""Notation of an inspection's values and sentences, in English and German."""
 
 from __future__ import annotations
 

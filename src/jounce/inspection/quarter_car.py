@@ -1,4 +1,4 @@
-"""The linear quarter car on a plate: its response, its steady states, and its fit to the motion of a plate.
+"""The linear quarter car on a plate: response, steady states, and fit to the motion of a plate.
 
 Every stretch of the record is transformed once. In its bins the force is the response of a quarter car to the plate's
 height, and what the stretch began and ended with: a polynomial in s over the characteristic polynomial (Pintelon and
@@ -25,7 +25,7 @@ from jounce.testers.plates import SteadyResponse, least, least_adhesion, tyre_ri
 
 @dataclass(frozen=True)
 class LinearQuarterCar:
-    """Linear quarter car as a plate under its wheel sees it.
+    """Linear quarter car as seen by a plate under its wheel.
 
     Attributes
     ----------
@@ -160,7 +160,7 @@ _equations = Loop("quarter_car")
 def normal_equations(
     parameters: Array, speed: Array, height: Complex, force: Complex
 ) -> tuple[float, Array, Array, Complex]:
-    """Compare a quarter car with the bins of a stretch; what the stretch began and ended with is projected out.
+    """Compare a quarter car with the bins of a section, after projecting out the transients of its ends.
 
     Parameters (6,): unsprung mass, spring rate, damping, tyre stiffness, tyre damping, sprung mass, SI; angular
     frequencies (n,), rising, rad/s; plate height (m) and dynamic tyre force (N) in these bins, of one scale. Gives the
@@ -199,7 +199,7 @@ _TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with li
 
 @dataclass(frozen=True)
 class Stretch:
-    """Bins of one stretch of a record."""
+    """Bins of one section of a record."""
 
     s: Complex  # (n,): laplace variable of the bins, 1/s
     height: Complex  # (n,): sum over the samples of plate height, m
@@ -244,7 +244,7 @@ class ResponseFit:
 
 
 def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high: float) -> Stretch:
-    """Transform a stretch of plate height (n,) in m and dynamic tyre force (n,) in N, sampled at a rate in Hz.
+    """Transform a section of plate height (n,) in m and dynamic tyre force (n,) in N, sampled at a rate in Hz.
 
     Bins outside ``low`` to ``high`` Hz are left out; the first and the last sample count half (trapezoidal sums).
     """
@@ -265,7 +265,7 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
 
 
 def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
-    """Fit a quarter car to stretches of one record without lift-off; the static load (N) says what it weighs.
+    """Fit a quarter car to sections of one record without lift-off; the static load (N) is its weight.
 
     A least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
     plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
@@ -365,7 +365,7 @@ def _corner(parameters: Array) -> LinearQuarterCar:
 
 
 def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float = 0.0) -> float:
-    """Time (s) by which the measured force comes later than the height, negative where earlier; 0 where not sure.
+    """Delay (s) of the measured force after the height, negative if earlier; 0 if uncertain.
 
     ``plate_mass`` (kg) is that whose inertia was taken off the force, by the height. The time is found to first order
     beside all parameters, and believed where it explains about half of what they leave, or where they need a tyre that
@@ -480,7 +480,7 @@ def _solve(normal: Array, right: Array, damping: float) -> Array:
 
 
 def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
-    """Dynamic force (N) in the bins of a stretch, with the transients that fit best."""
+    """Dynamic force (N) in the bins of a section, with the best-fitting transients."""
     left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[3]
     return np.asarray(stretch.force - left)
 

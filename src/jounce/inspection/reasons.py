@@ -205,7 +205,7 @@ def with_uncertainty(criterion: Criterion, value: float, half: float | None, lan
 
 
 def range_words(criterion: Criterion, band: VerdictBand, language: Language = "en") -> str:
-    """Say where a band lies: ``from 20 % to below 40 %``."""
+    """Describe the range of a band: ``from 20 % to below 40 %``."""
     kind, place = criterion.kind, 0 if language == "en" else 1
     parts = []
     if band.start > float("-inf"):

@@ -258,14 +258,14 @@ def _column_error(error: RecordingError) -> RecordingError:
 
 
 def is_simulated(facts: Mapping[str, Any]) -> bool:
-    """Tell whether a record says of itself that it was simulated, in its header or in the comment of older ones."""
+    """Whether a record is marked as simulated, in its header or in the comment of older ones."""
     return bool(facts.get("simulated")) or str(facts.get("comment", "")).startswith("simulated, seed")
 
 
 def with_facts(
     record: xr.Dataset, given: Mapping[str, str], *, where: str = "record"
 ) -> tuple[xr.Dataset, list[Finding]]:
-    """Put what is known of a test, e.g. its ``date`` or ``plate_number``, in place of what its header says.
+    """Replace header entries of a test, e.g. its ``date`` or ``plate_number``.
 
     Gives the record, and a warning for each text of the header that another one takes the place of. Raises
     DescriptionError for a date that is none.

@@ -18,7 +18,7 @@ NOT_GRADED = "not graded"
 
 @dataclass(frozen=True)
 class WheelCurves:
-    """What a test shows over the frequency, by turns of the exciter in the order of time.
+    """Values of a test over the frequency, by turns of the exciter in the order of time.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class WheelCurves:
 
 @dataclass(frozen=True)
 class WheelResult(Plain):
-    """What a record says about one wheel; None where it cannot be known, with the reason among the findings. SI.
+    """Values of one wheel from a record, SI; None if unknown, with the reason among the findings.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ class WheelResult(Plain):
 
     @property
     def body_damping_ratio(self) -> float | None:
-        """Damping ratio (1) of the body's swing on this wheel with the plate at rest, by parametric fit."""
+        """Damping ratio (1) of the body's mode on this wheel with the plate at rest, by parametric fit."""
         return self.more.get("body_damping_ratio")
 
     @property
@@ -143,7 +143,7 @@ class WheelResult(Plain):
 
     @property
     def is_gradable(self) -> bool:
-        """Tell whether no finding makes the record unfit for grading."""
+        """Whether the record is fit for grading."""
         return not any(finding.severity == "problem" for finding in self.findings)
 
     def to_dict(self) -> dict[str, Any]:
@@ -173,7 +173,7 @@ FIELDS = frozenset(item.name for item in fields(WheelResult))
 
 
 def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:
-    """Write what is known of wheels beside each other, with half 95 % intervals, grades and verdicts.
+    """Write the values of wheels side by side, with half 95 % intervals, grades and verdicts.
 
     >>> print(wheel_table("front", [WheelResult("left", adhesion=0.61, uncertainty={"adhesion": 0.0123})]))
     front
@@ -203,7 +203,7 @@ def _with_half(wheel: WheelResult, number: WheelQuantity) -> str:
 
 @dataclass(frozen=True)
 class Inspection(Plain):
-    """What a record says about the wheels of one axle.
+    """Values of the wheels of one axle from a record.
 
     Attributes
     ----------
@@ -236,5 +236,5 @@ class Inspection(Plain):
 
     @property
     def is_gradable(self) -> bool:
-        """Tell whether every wheel can be graded."""
+        """Whether every wheel can be graded."""
         return bool(self.wheels) and all(wheel.is_gradable for wheel in self.wheels)

@@ -1,4 +1,4 @@
-"""Limits that come with jounce, by name and file: known without loading them."""
+"""Shipped limits, by name and file: listed without loading them."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ SHIPPED = "jounce"
 
 
 def shipped_limits() -> Path:
-    """Give the file of the limits that come with jounce, to be copied and changed."""
+    """Return the file of the shipped limits, to be copied and changed."""
     return Path(str(resources.files("jounce.inspection") / "limits.toml"))

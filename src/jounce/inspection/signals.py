@@ -1,4 +1,4 @@
-"""One wheel's signals made ready: constant time steps, without the plate's inertia, the moving part and its turns."""
+"""One wheel's prepared signals: constant time steps, without the plate's inertia; the moving section and its turns."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class WheelSignals:
         return (self.time.size - 1) / float(self.time[-1] - self.time[0])
 
     def part(self, first: int, last: int) -> WheelSignals:
-        """Give the samples from ``first`` up to (without) ``last``."""
+        """Return the samples from ``first`` up to but excluding ``last``."""
         cut = slice(first, last)
         return replace(
             self,
@@ -89,7 +89,7 @@ class PlateCalibration:
 
 
 def uniform_time(record: xr.Dataset, where: str = "record") -> tuple[xr.Dataset, list[Finding]]:
-    """Check a record's clock and put the channels on constant steps where that is allowed (below 1 % of jitter).
+    """Check a record's clock and resample the channels to constant steps if allowed (below 1 % of jitter).
 
     Raises
     ------
@@ -131,7 +131,7 @@ def _curvature(samples: int) -> Array:
 
 
 def limits_of(tester: Tester | None) -> TesterLimits:
-    """Limits of a tester; the usual ones where none is known."""
+    """Limits of a tester; the usual ones for an unknown tester."""
     return TesterLimits() if tester is None else tester.limits
 
 

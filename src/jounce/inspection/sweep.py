@@ -66,7 +66,7 @@ class Sweep:
 
 
 def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Sweep | None, list[Finding]]:
-    """Find turns and sweep of a test; None with the reason where there is none, and what is wrong with it otherwise.
+    """Find turns and sweep of a test, with findings; None with the reason if there is no sweep.
 
     The signals reach from shortly before to shortly after the plate moves. On a rigid plate the frequency must fall
     through the tester's band (18 to 6 Hz); a sprung plate may be swept either way.
@@ -209,7 +209,7 @@ def _spring_force(signals: WheelSignals, tester: Tester) -> Array:
 
 
 def exciter_height(signals: WheelSignals, tester: Tester | None) -> Array | None:
-    """Height (n,) in m of the exciter under a sprung plate: the plate's and what the spring between them takes.
+    """Height (n,) in m of the exciter under a sprung plate: the plate's height plus the spring's deflection.
 
     Without a damper the wheel swings on at its own frequency, whatever the exciter does, and the plate with it. None
     where the spring or the plate's height is not known.

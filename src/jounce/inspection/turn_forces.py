@@ -1,4 +1,4 @@
-"""The force in every turn of the plate, measured and as a fitted quarter car has it, and curves over frequency.
+"""The force in every turn of the plate, measured and from a fitted quarter car, and curves over frequency.
 
 The same evaluation of the measured and of the modelled force gives two curves. Their difference is noise where the
 model holds, and a smooth curve where it does not (friction, kinked dampers). How much of it is believed follows from
@@ -110,7 +110,7 @@ class FrequencyCurve:
     error: Array  # (n,): standard error of what was added to the model, unit of the quantity
 
     def with_turns(self, frequency: Array, value: Array) -> FrequencyCurve:
-        """Add turns (Hz, unit of the quantity) of which nothing was measured."""
+        """Add turns (Hz, unit of the quantity) without a measurement."""
         both = np.concatenate([self.frequency, frequency])
         order = np.argsort(both, kind="stable")
         order = order[np.diff(both[order], prepend=-1.0) > 1e-6]

@@ -1,4 +1,4 @@
-"""Compiling in a child process: what it takes of memory, a hundred megabytes and more, goes with the child.
+"""Compile in a child process, whose memory, a hundred megabytes and more, is released when it ends.
 
 A process that lives long and compiles again and again (a server) keeps its size, and answers meanwhile.
 """
@@ -21,7 +21,7 @@ _wanted: list[bool] = []
 
 @contextmanager
 def compiling_apart() -> Iterator[None]:
-    """Have what is compiled in the block compiled by children, where the system can split a process."""
+    """Compile in children within the block, if the system can fork processes."""
     # Of forks beside threads. It is no danger here: none of them is in the compiler.
     warnings.filterwarnings("ignore", category=DeprecationWarning, module=bytes_from_fork.__module__)
     _wanted.append(True)
@@ -32,7 +32,7 @@ def compiling_apart() -> Iterator[None]:
 
 
 def compile_in_child(make: Callable[[], bytes]) -> bytes | None:
-    """Give what ``make`` makes in a child; None where that is not wanted, or the child came to no end.
+    """Return the result of ``make`` in a child; None if children are off or the child failed.
 
     Errors stay in the child: whoever gets None calls ``make`` and sees them.
     """

@@ -1,4 +1,4 @@
-"""What the loops are given, array by array: type, number of dimensions and order in memory.
+"""Arrays passed to the loops: type, number of dimensions and order in memory.
 
 The machine code of a loop is made for just these. A loop's own annotations, and those of the tuples that it takes, are
 where that is said; they are checked at every call (``call.Loop``).

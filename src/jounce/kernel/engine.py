@@ -1,4 +1,4 @@
-"""What the loops of a run work on: addresses of native functions, inputs, samples, a controller, scratch arrays.
+"""Data of the loops of a run: addresses of native functions, inputs, samples, a controller, scratch arrays.
 
 Nothing here computes. The loops (``kernel.loops``) read these tuples and write into their arrays,
 so that one run after another needs no new memory and no compiled code sees a Python object.
@@ -19,7 +19,7 @@ from jounce.kernel.arrays import Columns, Integers, Matrix, Vector
 
 
 class Status(Enum):
-    """How a run ended; ``help`` says what that means for the user."""
+    """How a run ended; ``help`` explains it to the user."""
 
     COMPLETED = (0, "the run reached its end")
     NOT_FINITE = (1, "the solution is no longer a finite number: the model is unstable or an input is extreme")
@@ -130,7 +130,7 @@ class Engine(NamedTuple):
 
 
 class Control(NamedTuple):
-    """How a run is steered.
+    """Step control of a run.
 
     ``tolerance`` is relative to the size of each controlled state so far, at least ``scale``; ``dead_band`` is how far
     each switching function may lie on the wrong side of its mode; no step is longer than ``longest`` (s).
@@ -144,7 +144,7 @@ class Control(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """What is integrated: native functions, tracks, parameter values, modes (changed in place) and first state.
+    """System to integrate: native functions, tracks, parameter values, modes (changed in place) and first state.
 
     ``inputs`` is the number of inputs that the tracks make: two or three for each.
     """
@@ -271,7 +271,7 @@ _PROTOTYPE = ctypes.CFUNCTYPE(None)  # what a law is given lies in arrays that i
 
 
 class Callback:
-    """A Python function at an address; what it raises is kept, since nothing may pass through compiled code.
+    """A Python function at an address; its exceptions are stored, since none may pass through compiled code.
 
     The loop has let go of the interpreter's lock, and the call takes it for as long as the function runs.
     ``address`` is that of ``void f(void*, void*, void*, void*, void*)``, which lives as long as this object; ``raised``

@@ -21,7 +21,7 @@ REACHED, END_OF_TRAVEL, NOT_TRIED = range(3)
 
 
 class Walk(NamedTuple):
-    """What is walked: addresses, targets and where each continues from.
+    """Input of a walk: addresses, targets and the pose from which each continues.
 
     ``pose`` is the address of ``f(q, u, p, m, out)`` with out = (q after a Newton step, violation before it, for each
     track the coordinates' slope). ``targets`` holds one row of track values a target; ``before[i]`` is the target that
@@ -38,7 +38,7 @@ class Walk(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What a walk fills: one column a target, so that the outputs of all are computed at once.
+    """Output of a walk: one column per target, so that all outputs are computed at once.
 
     ``outcome`` is one of REACHED, END_OF_TRAVEL, NOT_TRIED; ``share`` how much of the way from the pose before could
     be walked.

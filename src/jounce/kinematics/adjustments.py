@@ -1,4 +1,4 @@
-"""Adjustments of a suspension: what can be set, in which range, and the rig with some of them made."""
+"""Adjustments of a suspension: settings with their ranges, and the adjusted rig."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Adjustable:
         return (self.lowest, self.highest) if self.ends is None else self.ends(rig)
 
     def allowed_for(self, rig: Corner) -> tuple[float, float]:
-        """Lowest and highest value that a rig takes, SI: a strut angle only has to be possible."""
+        """Lowest and highest value that a rig accepts, SI: a strut angle only has to be possible."""
         return (-LARGEST, LARGEST) if self.name == "strut_angle" else self.range_for(rig)
 
 
@@ -216,7 +216,7 @@ SETTINGS: dict[str, Adjustable] = {
 
 
 def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
-    """Check settings, each by what the rig takes; give their values in SI."""
+    """Check settings against the rig's ranges; return their values in SI."""
     corner = corner_of(rig)
     values = {}
     for name, given in settings.items():
@@ -251,7 +251,7 @@ def write_setting(value: float, unit: str) -> str:
 
 
 def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
-    """Give the rig with some adjustments made.
+    """Return the rig with some adjustments applied.
 
     Parameters
     ----------

@@ -306,7 +306,7 @@ class TwoWheelAxle:
         return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
 
     def note(self, sweep: PreparedSweep) -> None:
-        """Store the ends of travel of the first sweep that has some."""
+        """Store the ends of travel of the first sweep that has any."""
         if not self.ends and np.any(sweep.found.outcome != REACHED):
             self.ends = sweep.ends()
 
@@ -389,7 +389,7 @@ def roll_axle(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
 
 
 def check_roll(angles: Array, name: str) -> None:
-    """Refuse roll angles at which no wheel stands on a road."""
+    """Refuse roll angles at which wheels cannot stand on a road."""
     if np.max(np.abs(angles)) > _STEEPEST:
         raise DescriptionError("too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
 

@@ -1,4 +1,4 @@
-"""Load cases of an axle as faces ask for them: cases by name in one line each, forces as plain data."""
+"""Load cases of an axle as commands and pages give them: cases by name in one line each, forces as plain data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clearances as faces ask for them: pairs of bodies in one line each, the least distance of each pair."""
+"""Clearances as commands and pages request them: pairs of bodies in one line each, the least distance of each pair."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def pairs_in_python(between: Sequence[str] | None = None) -> str:
 
 
 def check_between(between: Sequence[str] | None, **given: object) -> None:
-    """Refuse options of distances where none is asked for."""
+    """Refuse options of distances if none is requested."""
     for option in () if between else ("out", "figure", "travel", "rack"):
         if given[option] is not None:
             allowed = f"--between {_ALLOWED}"

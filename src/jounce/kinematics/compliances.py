@@ -75,7 +75,7 @@ _models: Recent[ElasticModel] = Recent()
 def compliance(
     rig: Rig, travel: Values = 0.0, *, rack: float | None = None, load: ContactLoad | None = None
 ) -> xr.Dataset:
-    """Change of toe, camber and place of a wheel on bushings per unit of each load at the contact patch.
+    """Change of toe, camber and position of a wheel on bushings per unit of each load at the contact patch.
 
     The body and the rack are fixed, the ground holds the height of the contact point; spring and stops follow their
     laws, and so do a torsion bar and the gas of a damper; third spring and Z-bar act as if the other wheel carries the

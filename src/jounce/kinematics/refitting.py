@@ -40,7 +40,7 @@ class Changes:
 
 
 def refit(rig: C, changes: Changes) -> C:
-    """Give the rig put together again with some changes; those that do not go together are an ``AssemblyError``."""
+    """Return the rig reassembled with some changes; an ``AssemblyError`` if they do not fit together."""
     given = rig.hardpoints.given()
     shimmed = dict(given) | {name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()}
     places: dict[str, Triple] = {**shimmed, **changes.inner}

@@ -1,4 +1,4 @@
-"""Steering effort as faces ask for it: loads of the road on each wheel, and the sweep as plain data."""
+"""Steering effort as commands and pages request it: loads of the road on each wheel, and the sweep as plain data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A sweep with its rig, as faces ask for it: which sweep the values mean, and the values as plain data."""
+"""A sweep with its rig, as commands and pages request it: the kind of sweep, and the values as plain data."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Swept(Plain):
 
     @property
     def remark(self) -> str:
-        """What else is to be known of it."""
+        """Further findings."""
         return str(self.data.attrs.get("findings", ""))
 
     def to_dict(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""A corner as its quantities need it: positions and velocities in the axes of a left wheel, derivatives by travel.
+"""A corner for computing its quantities: positions and velocities in the axes of a left wheel, derivatives by travel.
 
 Right-hand corners are mirrored in y first, so that every formula is written once, for a left wheel; ``side`` converts
 back to ground axes. All expressions are functions of the pose alone once the model is bound.
@@ -342,7 +342,7 @@ class CornerView:
 
     @cached_property
     def bar_angle(self) -> ca.SX:
-        """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
+        """Rotation of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
         return bar_angle(self.linkage).value(self.linkage)
 
     @property
@@ -426,7 +426,7 @@ class CornerView:
 
     @cached_property
     def third_length(self) -> ca.SX:
-        """Length of the third spring when both wheels move alike, m."""
+        """Length of the third spring when both wheels move in parallel, m."""
         return 2.0 * self.side * third_end(self.linkage).value[1]
 
     @cached_property

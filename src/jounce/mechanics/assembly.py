@@ -1,4 +1,4 @@
-"""Assembly: a pose that closes all loops from a rough one, what moved, and the names of what is wrong.
+"""Assembly: from a rough pose to one that closes all loops, with the moved coordinates and the names of faults.
 
 Works on the symbolic model with CasADi's own evaluation, before anything is compiled.
 """

@@ -1,4 +1,4 @@
-"""Rigid bodies: their mass, their place by the joints, and their points that expressions name.
+"""Rigid bodies: their mass, their position by the joints, and their points used in expressions.
 
 A point that a user requests of a body (:meth:`Body.point`) has *symbols* for its place, known with the body they belong
 to. So a force along an expression of such points can be divided among the bodies: what the expression gains when the
@@ -121,7 +121,7 @@ class Body:
 
     @property
     def is_placed(self) -> bool:
-        """Whether a joint hangs it on something."""
+        """Whether a joint connects it to another body."""
         return self.name in self.poses.frames
 
     @property
@@ -200,7 +200,7 @@ class RigidMass:
         return self._mass * (linear.T @ linear) + coupling + coupling.T + angular.T @ (self._tensor @ angular)
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force that is left when no speed changes."""
+        """Generalised inertial force at constant speeds."""
         orientation, origin = self._frame.orientation, self._frame.origin
         linear = ca.jacobian(origin.rate, v)
         angular = ca.jacobian(orientation.spin, v)

@@ -70,16 +70,16 @@ class MovingCarrier(Carrier):
 
     @cached_property
     def start(self) -> ca.SX:
-        """Acceleration of the origin when no speed changes, less the field, m/s^2, in these axes."""
+        """Acceleration of the origin at constant speeds, less the field, m/s^2, in these axes."""
         return self._turn.unrotate(self._origin.bias - self._field)
 
     def acceleration(self, point: Moving) -> ca.SX:
-        """Acceleration of a point when no speed changes, less the field, m/s^2, in these axes."""
+        """Acceleration of a point at constant speeds, less the field, m/s^2, in these axes."""
         coriolis = ca.cross(2.0 * self.turning, point.rate)
         return self.start + self.steady @ self.arm(point.value) + coriolis + point.bias
 
     def spin_bias(self, orientation: Orientation) -> ca.SX:
-        """Angular acceleration of an orientation when no speed changes, rad/s^2, in these axes."""
+        """Angular acceleration of an orientation at constant speeds, rad/s^2, in these axes."""
         seen = orientation.ground_spin
         return self.turning_bias + ca.cross(self.turning, seen) + orientation.rotate(orientation.spin_bias)
 
@@ -89,7 +89,7 @@ class MovingCarrier(Carrier):
         return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
 
     def matrix(self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
-        """Mass matrix of what these axes carry along: mass, first moment and inertia about their origin.
+        """Mass matrix of the bodies in these axes: mass, first moment and inertia about their origin.
 
         ``push`` and ``twist`` are the momenta that each speed makes in these axes, linear and about their origin.
         """
@@ -118,7 +118,7 @@ class Carried:
 
 
 class CarriedMasses:
-    """Inertia of all bodies that one carrier moves; what they add to the carrier's motion is summed up first."""
+    """Inertia of all bodies on one carrier, summed before it is added to the carrier's motion."""
 
     def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried]) -> None:
         self._carrier, self._masses = carrier, masses
@@ -142,7 +142,7 @@ class CarriedMasses:
         return alone + self._carrier.matrix(v, total, moment, tensor, push, twist)
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force that is left when no speed changes, less that of the field."""
+        """Generalised inertial force at constant speeds, less that of the field."""
         carrier, result = self._carrier, ca.SX(v.shape[0], 1)
         push, twist = ca.SX(3, 1), ca.SX(3, 1)
         for mass, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
@@ -202,7 +202,7 @@ class TravellingMasses:
         return self.inertia.value * (along.T @ along) + carried
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force that is left when no speed changes, less that of the field."""
+        """Generalised inertial force at constant speeds, less that of the field."""
         carrier, rate = self.carrier, self.rate
         start, turning, bent = carrier.start, carrier.turning, carrier.turning_bias
         moment, momentum, angular, tensor = self.moment, self.momentum, self.angular_momentum, self.tensor

@@ -116,7 +116,7 @@ def damper_force(
 
 
 def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX) -> ca.SX:
-    """Damper force (N) of a map over length (m) and velocity (m/s): bilinear, its velocity ends go straight on.
+    """Damper force (N) of a map over length (m) and velocity (m/s): bilinear, extrapolated linearly in velocity.
 
     Each piece of the grid is a product of hinge functions, so that steps land on its lines.
     """

@@ -21,18 +21,18 @@ from jounce.mechanics.model import Alike, Balance, Model, with_numbers
 
 
 class InertialTerms(Protocol):
-    """Something with mass: what it adds to the mass matrix and to the bias forces."""
+    """An object with mass: its contributions to the mass matrix and to the bias forces."""
 
     def matrix(self, v: ca.SX) -> ca.SX:
         """Mass matrix for the speeds ``v``."""
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force that is left when no speed changes."""
+        """Generalised inertial force at constant speeds."""
 
 
 @dataclass(frozen=True)
 class PointMass:
-    """A mass (kg) whose velocity is ``rate`` (m/s) and whose acceleration is ``bias`` when no speed changes."""
+    """A mass (kg) whose velocity is ``rate`` (m/s) and whose acceleration at constant speeds is ``bias``."""
 
     mass: ca.SX
     rate: ca.SX
@@ -50,7 +50,7 @@ class PointMass:
 
 @dataclass(frozen=True)
 class Constraint:
-    """Equations ``value = 0`` with their rate and the part of the second rate that no acceleration makes."""
+    """Equations ``value = 0`` with their rate and their second rate at zero accelerations."""
 
     equations: tuple[Equation, ...]
     value: ca.SX
@@ -70,7 +70,7 @@ class Track:
 
 @dataclass
 class Collection:
-    """All that equations of motion are formed of: symbols by name, masses, forces, constraints, signals."""
+    """Everything that forms the equations of motion: symbols by name, masses, forces, constraints, signals."""
 
     coordinates: dict[str, ca.SX] = field(default_factory=dict)
     speeds: dict[str, ca.SX] = field(default_factory=dict)

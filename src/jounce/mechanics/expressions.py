@@ -1,4 +1,4 @@
-"""Read names, numbers and expressions that users give to a builder, or refuse them."""
+"""Read or refuse names, numbers and expressions that users give to a builder."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
 
 
 def text_of(expression: ca.SX) -> str:
-    """One expression written out with all digits of its numbers; what occurs again and again is ``@1``, ``@2``."""
+    """One expression written out with all digits; repeated parts are ``@1``, ``@2``."""
     symbols = ca.symvar(expression)
     function = ca.Function("text", symbols, [ca.densify(expression)])
     count = function.n_instructions()

@@ -1,4 +1,4 @@
-"""Facts about a model without its equations: names, counts, units, all that a compiled run needs."""
+"""Facts about a model without its equations: names, counts and units that a compiled run needs."""
 
 from __future__ import annotations
 

@@ -92,19 +92,19 @@ class FixedOrientation(Orientation):
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
-        """Nothing turns."""
+        """Zero: the axes do not rotate."""
         return vector
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
-        """Nothing turns."""
+        """Zero: the axes do not rotate."""
         return vector
 
     def turned(self, tensor: ca.SX) -> ca.SX:
-        """Nothing turns."""
+        """Zero: the axes do not rotate."""
         return tensor
 
     def moving(self, vector: ca.SX) -> Moving:
-        """Nothing moves."""
+        """Zero: the frame does not move."""
         return Moving(vector, _ZERO, _ZERO)
 
 

@@ -274,7 +274,7 @@ class Universal(Joint):
     coordinates = (("angle", "rad"), ("second_angle", "rad"))
 
     def check(self, known: Known) -> None:
-        """Refuse axes that are not at right angles."""
+        """Refuse axes that are not perpendicular."""
         super().check(known)
         axis, second = (known(field) for field in ("axis", "second_axis"))
         cosine = axis @ second / np.sqrt(axis @ axis * (second @ second))
@@ -381,7 +381,7 @@ class Link(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Free(Joint):
-    """No joint at all: the second body flies, against the ground or the moving frame that is the first.
+    """No joint at all: the second body moves freely relative to the ground or a moving frame.
 
     ``at`` (m) is the point of the body whose displacements are the coordinates, mostly its centre of mass.
     """

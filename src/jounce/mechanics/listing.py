@@ -1,4 +1,4 @@
-"""Contents of a mechanism as plain data and as text, for drawing, exchange and the browser."""
+"""Contents of a mechanism as plain data and text, for drawing, exchange and the browser."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LONGEST = 160  # characters of a law that a line shows
 
 
 class Reading:
-    """A mechanism read at numbers of its parameters: what expressions are, and how they are written."""
+    """A mechanism at given parameter values: values and texts of its expressions."""
 
     def __init__(self, mechanism: Structure, values: Mapping[str, float]) -> None:
         self._mechanism, collection = mechanism, mechanism.collection
@@ -105,7 +105,7 @@ class Reading:
 
 
 def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[NamedPart]) -> dict[str, Any]:
-    """Bodies, joints, loops, conditions, loads, tracks and what is watched (see :meth:`Mechanism.to_dict`)."""
+    """Bodies, joints, loops, conditions, loads, tracks and watched outputs (see :meth:`Mechanism.to_dict`)."""
     collection, loops, read = mechanism.collection, mechanism.loops(), Reading(mechanism, values)
     write = read.write
 

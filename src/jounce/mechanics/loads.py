@@ -106,7 +106,7 @@ class GeneralForce(ForceElement):
 
 @dataclass(frozen=True, eq=False)
 class PowerOnRate(ForceElement):
-    """A force by the rate it does power on."""
+    """A force given by the rate on which it does work."""
 
     rate: ca.SX = law("m/s or rad/s")
     magnitude: ca.SX = law("N or N*m")
@@ -279,7 +279,7 @@ class Stop(OnCoordinate):
 
 @dataclass(frozen=True, eq=False)
 class CoordinateFriction(OnCoordinate):
-    """Coulomb friction on a coordinate, turned over smoothly."""
+    """Coulomb friction on a coordinate, with a smooth change of sign."""
 
     regularisation_rate: Given = quantity("{length}/s", above=0.0)
     force: Given = quantity("{force}", at_least=0.0)

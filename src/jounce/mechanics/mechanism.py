@@ -328,7 +328,7 @@ class Mechanism(Structure):
         return self.add(joints.Link(name, parent, child, at, axis, second_at))
 
     def free(self, name: str, child: Body, at: Vector | None = None, moving_frame: Body | None = None) -> ca.SX:
-        """Let a body fly: place (m, from the design pose) and quaternion, against the ground or a moving frame."""
+        """Let a body move freely: position (m, from the design pose) and quaternion, in the ground or moving axes."""
         self._check(name, child)
         if child.mass_properties is None and at is None:
             raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
@@ -758,13 +758,13 @@ class Mechanism(Structure):
     # watched outputs -------------------------------------------------------------------------------------------
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
-        """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
+        """Add channels of a point of a body: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
         self._check(name, body)
         self._refuse_moving(name, body)
         self._see(outputs.WatchedPoint(name, body, at))
 
     def watch_body(self, body: Body) -> None:
-        """Let a body be seen, in ground axes.
+        """Add channels of a body, in ground axes.
 
         Its centre of mass as a point; angular velocity ``<body>.wx`` (rad/s) and acceleration ``.alpha_x`` (rad/s^2);
         how it is turned out of the design pose: quaternion ``.q0`` to ``.q3`` (1; the scalar part ``q0`` is never
@@ -794,7 +794,7 @@ class Mechanism(Structure):
         self._see(outputs.WatchedAngle(name, first, second, axis))
 
     def watch_coordinates(self) -> None:
-        """Let all coordinates and speeds be seen, with accelerations.
+        """Add channels of all coordinates and speeds, with accelerations.
 
         A distance (m) or angle (rad) comes with ``<name> rate`` and ``<name> acceleration``; an orientation as its
         quaternion ``<joint>.e0`` to ``.e3`` and its angular velocity ``<joint>.wx`` to ``.wz`` (rad/s, body axes).
@@ -942,7 +942,7 @@ class Mechanism(Structure):
     # the equations ---------------------------------------------------------------------------------------------
 
     def complete(self) -> Mechanism:
-        """Return the same with masses and weights of all its bodies; what is added to that does not change this one."""
+        """Return a copy with the masses and weights of all bodies; additions to the copy do not change the original."""
         whole = copy.copy(self)
         whole.collection, whole.loads, whole.watched = self.collection.copy(), list(self.loads), dict(self.watched)
         whole._scope = ("", "")

@@ -114,7 +114,7 @@ def _format_vector(vector: tuple[float, ...]) -> str:
 
 
 class Freedoms:
-    """Counts the degrees of freedom of a mechanism's model; made once for a model, and remembers what it counted."""
+    """Counts the degrees of freedom of a mechanism's model; made once per model, and caches its counts."""
 
     def __init__(self, mechanism: Structure, model: Model, force: ca.Function) -> None:
         """``force`` is that of all loads on the speeds (N, N m), of x, u, p and m."""

@@ -16,7 +16,7 @@ from jounce.mechanics.structure import Structure
 
 @dataclass(frozen=True, eq=False)
 class OutputDescription(NamedPart):
-    """Something to be seen."""
+    """Base of outputs, which become channels of a run."""
 
     def show(self, mechanism: Structure) -> None:
         """Add its signals to a mechanism that has all its masses and forces."""
@@ -43,7 +43,7 @@ class WatchedPoint(OutputDescription):
 
 @dataclass(frozen=True, eq=False)
 class WatchedBody(WatchedPoint):
-    """The same of a body's centre of mass, and how the body is turned and turns."""
+    """The same for a body's centre of mass, with the body's orientation and angular velocity."""
 
     kind = "body"
 
@@ -64,7 +64,7 @@ class WatchedBody(WatchedPoint):
 
 @dataclass(frozen=True, eq=False)
 class WatchedAngle(OutputDescription):
-    """Turn of a body against another about an axis of the latter."""
+    """Rotation of a body relative to another about an axis of the latter."""
 
     first: Body
     second: Body

@@ -95,7 +95,7 @@ def _sum_wrenches(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) 
 
 
 def all_acting(mechanism: Structure) -> list[Acting]:
-    """All that acts on the bodies of a mechanism but the joints of its tree, in the ground's axes."""
+    """All loads on the bodies of a mechanism except the joints of its tree, in ground axes."""
     acting: list[Acting] = []
     for _, action in mechanism.loads:
         acting += [Acting(wrench) for wrench in action.wrenches]

@@ -88,7 +88,7 @@ class Structure(System):
         return tuple(self.closing)
 
     def growing(self) -> list[dict[Any, Any] | list[Any]]:
-        """All that grows when something is added."""
+        """All containers that grow when something is added."""
         return [*super().growing(), self.poses.frames, self.poses.named]
 
     def loops(self) -> dict[str, tuple[str, ...]]:

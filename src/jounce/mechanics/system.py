@@ -56,7 +56,7 @@ class System:
         self._scope = ("", "")
 
     def growing(self) -> list[dict[Any, Any] | list[Any]]:
-        """All that grows when something is added."""
+        """All containers that grow when something is added."""
         return [
             part for part in (*vars(self).values(), *vars(self.collection).values()) if isinstance(part, dict | list)
         ]

@@ -1,4 +1,4 @@
-"""A corner under control: an actuator in place of its damper or beside it, or a force in place of another element."""
+"""A controlled corner: an actuator that replaces or assists its damper, or a force that replaces another element."""
 
 from __future__ import annotations
 

@@ -133,7 +133,7 @@ def still_third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
 
 
 def third_deflection(linkage: DescribedSuspension) -> Reached:
-    """Shortening (m) of the third spring while the other wheel moves alike."""
+    """Shortening (m) of the third spring while the other wheel moves in parallel."""
     third = linkage.rig.third_spring
     assert third is not None
 
@@ -173,7 +173,7 @@ def bar_axis(linkage: DescribedSuspension) -> ca.SX:
 
 
 def bar_angle(linkage: DescribedSuspension) -> Reached:
-    """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
+    """Rotation of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
 
     def turn(whole: DescribedSuspension, end: ca.SX) -> ca.SX:
         pivot, arm, link_ends = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))

@@ -12,14 +12,14 @@ TURNS = {"pitch": "nose down", "roll": "right side down"}
 
 
 def show_height(system: System, name: str, z: ca.SX, text: str, height: str = ", height") -> None:
-    """Let a height be seen, with velocity and acceleration."""
+    """Add channels of a height, with velocity and acceleration."""
     system.output(f"{name}.z", z, "m", f"{text}{height}")
     system.output(f"{name}.vz", system.rate_of(z), "m/s", f"{text}, vertical velocity")
     system.output(f"{name}.az", system.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
 
 
 def show_turn(system: System, turn: str, angle: ca.SX) -> None:
-    """Let pitch or roll of the body be seen, with rate and acceleration."""
+    """Add channels of the body's pitch or roll, with rate and acceleration."""
     system.output(f"body.{turn}", angle, "rad", f"body {turn}, {TURNS[turn]} positive")
     system.output(f"body.{turn}_rate", system.rate_of(angle), "rad/s", f"body {turn} rate")
     system.output(f"body.{turn}_acceleration", system.acceleration_of(angle), "rad/s^2", f"body {turn} acceleration")
@@ -35,32 +35,32 @@ def show_strut(
 
 
 def show_tyre(system: System, deflection: ca.SX, force: ca.SX, of: str = "") -> None:
-    """Let a tyre be seen."""
+    """Add channels of a tyre."""
     system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     system.output("tyre.force", force, "N", f"contact force{of}, compression positive")
 
 
 def show_hardpoints(linkage: Linkage) -> None:
-    """Let every hardpoint be seen, m, ground axes."""
+    """Add channels of every hardpoint, m, ground axes."""
     for name, body in linkage.owners.items():
         place = body.frame.point(linkage.hardpoint(name)).value
         show_point(linkage.mechanism, name, linkage.carrier.place(place))
 
 
 def show_point(system: System, name: str, place: ca.SX) -> None:
-    """Let a point be seen, m, ground axes."""
+    """Add channels of a point, m, ground axes."""
     for i, axis in enumerate("xyz"):
         system.output(f"{name}.{axis}", place[i], "m", f"{name.replace('_', ' ')}, {axis}")
 
 
 def show_reactions(mechanism: Mechanism) -> None:
-    """Let force and torque of every joint on its second body be seen, N and N m, ground axes."""
+    """Add channels of force and torque of every joint on its second body, N and N m, ground axes."""
     for joint in (*mechanism.joints, *mechanism.closures):
         mechanism.watch_reaction(joint)
 
 
 def show_bushings(linkage: Linkage) -> None:
-    """Let the force of every bushing on the suspension be seen, N, ground axes."""
+    """Add channels of the force of every bushing on the suspension, N, ground axes."""
     for point, (force, _) in linkage.bushings.items():
         along = linkage.carrier.outward(force)
         for i, axis in enumerate("xyz"):

@@ -161,7 +161,7 @@ def add_torsion_bar(linkage: DescribedSuspension) -> dict[str, tuple[ca.SX, ca.S
 
 
 def add_both_alike(linkage: DescribedSuspension, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add this wheel's half of third spring and Z-bar, the other wheel moving alike; as ``add_strut`` of each."""
+    """Add this wheel's half of third spring and Z-bar, with the other wheel moving in parallel; see ``add_strut``."""
     rig, mechanism = linkage.rig, linkage.mechanism
     both_alike: dict[str, tuple[ca.SX, ca.SX]] = {}
     if rig.third_spring is not None:
@@ -184,13 +184,13 @@ def add_both_alike(linkage: DescribedSuspension, *, damped: bool = True) -> dict
 
 
 def show_bar(mechanism: System, twist: ca.SX, torque: ca.SX) -> None:
-    """Let the anti-roll bar be seen."""
+    """Add channels of the anti-roll bar."""
     mechanism.output("anti_roll_bar.twist", twist, "rad", "twist of the anti-roll bar from design, as its right end")
     mechanism.output("anti_roll_bar.torque", torque, "N*m", "torque in the anti-roll bar, positive against its twist")
 
 
 def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> None:
-    """Let the third spring be seen."""
+    """Add channels of the third spring."""
     mechanism.output("third_spring.deflection", deflection, "m", "third spring, from design, compression positive")
     mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
 
@@ -221,7 +221,7 @@ def _guide_friction(linkage: DescribedSuspension, heave: ca.SX) -> None:
 
 
 def show_wheel(linkage: DescribedSuspension) -> None:
-    """Let the angles of the wheel be seen."""
+    """Add channels of the wheel's angles."""
     show, of_wheel = linkage.mechanism.output, linkage.of_wheel
     show("wheel.camber", of_wheel("wheel.camber", _camber), "rad", "camber, positive top outward")
     show("wheel.steer", of_wheel("wheel.steer", _steer), "rad", "steer about +z")

@@ -18,7 +18,7 @@ from jounce.parts.corners import Corner
 
 
 class DescribedSuspension(ABC):
-    """A suspension as its force laws read it: the numbers of its description, and what they see of its pose."""
+    """A suspension as its force laws need it: the parameters of its description, and quantities of its pose."""
 
     rig: Corner  # only its structure matters, its numbers are parameters
     mechanism: System

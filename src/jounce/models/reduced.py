@@ -64,7 +64,7 @@ class Watched(Linkage):
 
 
 def sampled_corner(rig: Corner) -> SampledCorner:
-    """Return what a reduced corner sees of its pose; the values in ``rig`` matter only through its structure."""
+    """Return the pose quantities of a reduced corner; the values in ``rig`` matter only through its structure."""
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     travel, heave = mechanism.track("travel"), mechanism.track("heave")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
@@ -168,7 +168,7 @@ class _Tabulated(DescribedSuspension):
 
 @dataclass(frozen=True)
 class HangingMass:
-    """All that hangs on a body that moves along z, and travels by one coordinate: rates of both, masses (see above)."""
+    """A suspension with one coordinate, its travel, on a body that moves along z: rates of both, masses (see above)."""
 
     rates: ca.SX
     mass: ca.SX

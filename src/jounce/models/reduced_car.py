@@ -37,7 +37,7 @@ _AXES, _PAIRS = "xyz", ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 def sampled_suspension(rig: Corner) -> SampledCorner:
-    """Return what a car sees of a suspension's pose; the values in ``rig`` matter only through its structure."""
+    """Return the pose quantities that a car needs; the values in ``rig`` matter only through its structure."""
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     number, travel = mechanism.parameter, mechanism.track("travel")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
@@ -112,11 +112,11 @@ class _Curve(NamedTuple):
 
     @classmethod
     def of(cls, curves: Sequence[_Curve]) -> _Curve:
-        """Several in one."""
+        """Several quantities in one call."""
         return cls(*(ca.vertcat(*parts) for parts in zip(*curves, strict=True)))
 
     def moving(self, rate: ca.SX) -> Moving:
-        """The same in time."""
+        """Their time derivatives."""
         return Moving(self.value, self.slope * rate, self.bend * rate**2)
 
 
@@ -201,7 +201,7 @@ class _Travelling(Suspension):
 
     @property
     def wheel_centre(self) -> Moving:
-        """The wheel's centre; how high it is, is the travel."""
+        """The wheel's centre; its height is the travel."""
         x, y = (self._curve(name) for name in _parts("wheel_centre")[:2])
         height = self.hardpoint("wheel_centre")[2] + self.travel
         return _Curve.of([x, y, _Curve(height, ca.SX(1.0), ca.SX(0.0))]).moving(self.rate)

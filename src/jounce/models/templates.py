@@ -60,7 +60,7 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
 
 
 def five_link(linkage: Linkage) -> None:
-    """Let the upright fly and tie it by its links."""
+    """Add the upright as a free body and tie it by its links."""
     mechanism = linkage.mechanism
     upright = linkage.body("upright")
     mechanism.free("upright", upright, at=linkage.hardpoint("wheel_centre"), moving_frame=linkage.moving_frame)

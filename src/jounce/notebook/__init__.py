@@ -1,4 +1,4 @@
-"""Results that one can play and turn, and rigs that one can change, in the cells of a notebook.
+"""Interactive results and rigs in the cells of a notebook.
 
 :func:`viewer` shows recordings, runs and sweeps with the viewer of the reports; :func:`live` draws a rig's response
 anew whenever one of its numbers is moved (extra ``notebook``). Tables of results need neither.

@@ -110,7 +110,7 @@ def _unit(data: xr.Dataset, name: str) -> DisplayUnit:
 
 
 def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, DisplayUnit]) -> list[dict[str, Any]]:
-    """Curves over the first of the names, thinned to what can be seen, in the units given; gaps are None."""
+    """Curves over the first of the names, thinned to the visible detail, in the given units; gaps are None."""
     axis, *channels = names
     x = data[axis].to_numpy().astype(float) * units[axis].factor
     curves = []
@@ -132,7 +132,7 @@ _ALIVE = (
 
 
 def still_html(sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: Sequence[str]) -> str:
-    """What stands for sliders and curves where nothing computes: the numbers, their curves, and how they come alive."""
+    """Static replacement of sliders and curves without a kernel: the values, their curves, and how to activate them."""
     import base64
 
     from jounce.core.shown import html_table, number
@@ -209,7 +209,7 @@ def _widget_class() -> Any:
             display({"text/html": still, "text/plain": _ALIVE}, raw=True)
 
         def rig(self) -> Rig:
-            """The rig as the sliders stand."""
+            """The rig at the current slider values."""
             known = {slider["path"] for slider in self.sliders}
             return self._rig.with_changes({path: float(value) for path, value in self.values.items() if path in known})
 

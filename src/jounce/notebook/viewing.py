@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmbeddedPage:
-    """A page within a cell, apart from everything around it.
+    """A page within a cell, isolated from its surroundings.
 
     Attributes
     ----------

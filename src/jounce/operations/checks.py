@@ -1,4 +1,4 @@
-"""Checks of files: what a file is, and everything that is wrong with it, without running it."""
+"""Checks of files: the kind of a file, and everything wrong with it, without running it."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def check_files(
 
 
 def checked_page(found: CheckedFiles, *, title: str) -> Page:
-    """Put on a page what files are and whether they are in order, with notes and parameters."""
+    """Put the kinds and checks of files on a page, with notes and parameters."""
     from jounce.report.page import Page, PageTable, Paragraph, Section
 
     rows = tuple((str(item.file), item.kind, _verdict(len(item.problems)), item.what) for item in found.files)

@@ -103,7 +103,7 @@ class Operation:
 
     @property
     def subject(self) -> str:
-        """Option that names what it is about: the one that a command takes without its name; empty without one."""
+        """Option of the subject: the one that a command takes without its name; empty without one."""
         return next((parameter.option for parameter in self.parameters if parameter.is_positional), "")
 
 

@@ -1,4 +1,4 @@
-"""A request: an operation with what people gave for its parameters."""
+"""A request: an operation with the given values of its parameters."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ class Request:
         return [(parameter, parameter.mark.read(value, parameter.place)) for parameter, value in self.values()]
 
     def make(self, values: Values) -> dict[str, Any]:
-        """Make the parameters that several options make, of values that were read."""
+        """Build the parameters that consist of several options from the converted values."""
         return {
             name: _made(resolve(makes.maker), [(p, value) for p, value in values if p.made == name])
             for name, makes in self.operation.makers.items()
         }
 
     def call(self, values: Values, made: Mapping[str, Any], say: Callable[[str], None] = lambda _: None) -> Any:
-        """Call the function with values that were read and made; ``say`` shows a text while it runs."""
+        """Call the function with the converted values; ``say`` shows a text while it runs."""
         arguments = {**made, **{parameter.name: value for parameter, value in values if not parameter.made}}
         progress = {"progress": say} if self.operation.has_progress else {}
         with naming_options(self.operation.parameters):

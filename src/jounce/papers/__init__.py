@@ -26,4 +26,4 @@ class Counted(str):
 
 
 def no_progress(text: str) -> None:
-    """Take no notice of a line about the progress of the work."""
+    """Ignore a progress line."""

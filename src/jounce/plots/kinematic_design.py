@@ -194,7 +194,7 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
 
 @styled
 def spread_bands(spread: KinematicSpread) -> Figure:
-    """Draw what a spread of parts does to every target, as built and adjusted, and what causes it.
+    """Draw the effect of manufacturing tolerances on every target, as built and adjusted, and its causes.
 
     Parameters
     ----------

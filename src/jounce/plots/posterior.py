@@ -108,7 +108,7 @@ def _histogram(
 
 @styled
 def profile_likelihood(found: Posterior) -> Figure:
-    """Draw the log likelihood over each parameter, the others as they fit best, with what a Gaussian would be.
+    """Draw the log likelihood over each parameter, the others at their best fit, with a Gaussian for comparison.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How people give what is needed to read a measured file: its columns, its sampling, its part."""
+"""Options for reading a measured file: columns, sampling, section."""
 
 from __future__ import annotations
 

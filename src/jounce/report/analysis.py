@@ -253,7 +253,7 @@ def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
 
 
 def integration_page(found: Integration, *, title: str) -> Page:
-    """Put integrated accelerations on a page, with the band in which they hold and their errors.
+    """Put integrated accelerations on a page, with the band in which they are valid and their errors.
 
     Parameters
     ----------

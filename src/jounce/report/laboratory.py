@@ -1,4 +1,4 @@
-"""Pages of a laboratory: test sheet, folder, calibrations, and which model its data carry."""
+"""Pages of a laboratory: test sheet, folder, calibrations, and which model its data support."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def calibration_page(found: Calibration, *, title: str = "") -> Page:
 
 
 def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
-    """Models of an update beside each other, the one that the data carry best first."""
+    """Models of an update side by side, the one that the data support best first."""
     models = found.models
     table = table_of(
         f"Models of {found.update}",

@@ -87,7 +87,7 @@ def trial_label(trial: TrialResult) -> str:
 
 
 def trial_chart(scene: ViewerScene, trial: TrialResult) -> Chart:
-    """Draw the lively part of a trial: measured, before and after updating."""
+    """Draw the section of a trial with most motion: measured, before and after updating."""
     channels = trial.after.channels if trial.after is not None else {}
     words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
     return Chart(

@@ -133,7 +133,7 @@ def _check_filter(wheel: str, body: str, accelerations: Mapping[str, Array], rat
                 body,
                 corner,
                 wheel=wheel,
-                filter=f"{kind} pass",
+                filter=f"{kind}-pass filter",
                 corner=corner,
                 left=residual,
                 plain=residual_without,

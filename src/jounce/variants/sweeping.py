@@ -1,4 +1,4 @@
-"""Sweeps as faces ask for them: on this machine or on a cluster, begun or resumed."""
+"""Sweeps as commands and pages request them: on this machine or on a cluster, begun or resumed."""
 
 from __future__ import annotations
 

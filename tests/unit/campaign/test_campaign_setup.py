@@ -73,13 +73,13 @@ def test_a_bench_result_that_is_a_problem_replaces_nothing(tmp_path: Path) -> No
     found, knowledge = characterise(rig, bench, tmp_path)
     assert knowledge.rig == rig
     assert found.replaced == []
-    (kept,) = [one for one in found.findings if "replaces nothing" in one.message]
+    (kept,) = [one for one in found.findings if "not used" in one.message]
     assert (kept.place, kept.severity) == ("bench.spring", "problem")
     assert "does not rise everywhere" in kept.message
     assert bench_values(found, rig, None) == {}
     assert _has_value(found, "here", (), Estimate(500.0, 249.0, None))
     assert not _has_value(found, "here", (), Estimate(500.0, 251.0, None))
-    assert found.findings[-1].message == "replaces nothing, the described value is used: 500 ± 2.5e+02 is no value"
+    assert found.findings[-1].message == "not used, the described value applies: 500 ± 2.5e+02 is no value"
 
 
 def test_a_mass_is_added_in_one_trial_only() -> None:

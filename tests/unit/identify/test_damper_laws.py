@@ -523,8 +523,8 @@ def _fitted(record: foreign_records.Record) -> tuple[DamperResult, list[str]]:
     [
         ("sign", "both turned, gas 45, rest 0.5 s, friction 0 False, rebound 600", "where gas would push outwards"),
         ("steps", "force 50 N, 1 Hz, noise 1", "steps of 50 N"),
-        ("filter", "both low pass of order 1 at 3 times 1 Hz", "a low pass of the logger"),
-        ("filter", "both low pass of order 2 at 6 times 1 Hz", "a low pass of the logger"),
+        ("filter", "both low pass of order 1 at 3 times 1 Hz", "a low-pass filter of the logger"),
+        ("filter", "both low pass of order 2 at 6 times 1 Hz", "a low-pass filter of the logger"),
     ],
 )
 def test_what_a_logger_did_to_the_force_is_told(group: str, name: str, words: str) -> None:
@@ -539,7 +539,7 @@ def test_dropouts_are_left_out_and_no_oil_is_blamed(which: str, kind: str) -> No
     result, told = _fitted(_of("dropout", f"{which} {kind} 5 times 0.1 s"))
     assert result.parameters["bump_coefficient"].value == pytest.approx(foreign_records.BUMP, rel=0.02)
     assert result.parameters["rebound_coefficient"].value == pytest.approx(foreign_records.REBOUND, rel=0.02)
-    assert [text for text in told if "dropouts of the logger" not in text] == []
+    assert [text for text in told if "logger dropouts" not in text] == []
     assert told
 
 

@@ -314,7 +314,7 @@ def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends
 def test_fewer_than_three_trials_give_no_such_interval():
     found = jn.update_model(trials({}, count=2), FREE, weights="normalised", doubt=jn.Doubt())
     assert found.discrepancy is None
-    assert any("that takes 3 trials, fitted: 2" in finding.message for finding in found.findings)
+    assert any("it takes 3 trials, and 2 were fitted" in finding.message for finding in found.findings)
 
 
 def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
@@ -327,7 +327,7 @@ def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
     middle, half = 0.5 * sum(law.interval), np.hypot(law.half_width, 1e3)
     assert f"{abs(middle - 170e3) / half:.1f} times what both intervals allow" in law.why
     assert found.findings[0].place == "tyre.stiffness"
-    assert "the model lacks something that this parameter makes up for" in found.findings[0].message
+    assert "the model lacks something that this parameter compensates for" in found.findings[0].message
 
 
 def test_a_doubt_that_leaves_its_prior_is_named():
@@ -428,7 +428,7 @@ def test_masses_that_move_far_and_pairs_that_act_alike_lead():
     found = jn.update_model(trials({"strut.damper": DEGRESSIVE, "sprung.mass": 17.5}), free, weights="normalised")
     places = [finding.place for finding in found.findings]
     assert "sprung.mass" in places
-    assert any("known from the scale" in finding.message for finding in found.findings)
+    assert any("known from weighing" in finding.message for finding in found.findings)
     value = found.correlation[0][1]
     assert any("strongly correlated" in finding.message for finding in found.findings) == (abs(value) > 0.9)
 

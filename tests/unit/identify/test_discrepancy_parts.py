@@ -90,9 +90,9 @@ def test_findings_of_a_calibration_name_what_to_do() -> None:
     ):
         drawn = _findings(one, {"speed": _Stray(-3.2, np.array(draws))}, nuisances, {}, {"x": 0.3}, "", 0.3)
         assert told in drawn[0].message
-    assert found[2].message.startswith("51 % of what is left")
+    assert found[2].message.startswith("with all uncertain inputs fitted, 51 %")
     assert found[2].message.endswith("explains it; more freedom for height would leave 42 % of all")
-    assert _findings(one, {}, {}, {}, {"x": 0.51}, "", 0.51)[0].message.endswith("nothing that was doubted explains it")
+    assert _findings(one, {}, {}, {}, {"x": 0.51}, "", 0.51)[0].message.endswith("none of these inputs explains it")
     assert _findings(one, {}, {}, {}, {"x": 0.3, "y": 0.49}, "height", 0.42) == []
 
 

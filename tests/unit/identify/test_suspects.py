@@ -51,5 +51,5 @@ def test_a_height_above_the_road_is_named() -> None:
 @pytest.mark.parametrize(("channel", "corner"), [("sprung.az", 1.0), ("unsprung.az", 5.0)])
 def test_a_high_pass_that_nobody_stated_is_named(channel: str, corner: float) -> None:
     found = said({channel: jn.Sensor(high_pass=corner)})[channel]
-    assert "behind a high pass of about" in found.message
+    assert "after a high-pass filter at about" in found.message
     assert found.value == pytest.approx(corner, rel=0.1)

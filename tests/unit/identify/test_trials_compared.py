@@ -49,7 +49,7 @@ def trials(
 def told(made: Any) -> dict[str, str]:
     found = jn.update_model(made, FREE, weights="normalised")
     return {one.place: one.message for one in found.findings if one.severity == "warning"} | {
-        f"why {one.place}": one.message for one in found.findings if "in it alone" in one.message
+        f"why {one.place}": one.message for one in found.findings if "in this trial alone" in one.message
     }
 
 

@@ -86,7 +86,7 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
     assert update._other_minima("u", problem, SearchOutcome(best, (), 4, is_confirmed=True)) == []
     (finding,) = update._other_minima("u", problem, SearchOutcome(best, (), 8, is_confirmed=False))
     assert (finding.severity, "none of 7 other start points" in finding.message) == ("warning", True)
-    for objective, severity, told in ((1.4, "warning", "only 1.4 times"), (1.6, "note", "1.6 times as much left")):
+    for objective, severity, told in ((1.4, "warning", "only 1.4 times"), (1.6, "note", "1.6 times the residual")):
         (finding,) = update._other_minima(
             "u", problem, SearchOutcome(best, (optimum(objective, -0.5),), 4, is_confirmed=True)
         )
@@ -215,7 +215,7 @@ def test_what_quiet_starts_tell() -> None:
         'datum "rest" taken from the start of trial 0, trial 1, trial 2, trial 3: zero at rest;' in found["a", "note"]
     )
     assert "goes against the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)" in found["b", "warning"]
-    assert "neither zeroed at rest nor counts as the model does" in found["c", "warning"]
+    assert "not zeroed at rest and does not share the zero of the model" in found["c", "warning"]
     many = start_findings({f"trial {i}": {"a": rest} for i in range(5)})
     assert "taken from the start of 5 trials:" in many[0].message
 

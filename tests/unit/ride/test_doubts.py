@@ -32,8 +32,8 @@ def test_a_ride_is_not_doubted_and_its_wrong_records_are(
         return "; ".join(finding.message for finding in found)
 
     assert said(body) == said(-body + 9.81) == ""
-    assert "low pass" in said(rides.filtered(body, 5.0, 2))
-    assert "high pass" in said(rides.filtered(body, 3.0, 2, high=True))
+    assert "low-pass filter" in said(rides.filtered(body, 5.0, 2))
+    assert "high-pass filter" in said(rides.filtered(body, 3.0, 2, high=True))
     assert "exchanged" in said(wheel, body)
     step = 1.7 * body.std()
     assert "coarse" in said(np.round(body / step) * step)
@@ -65,7 +65,7 @@ def test_a_body_behind_a_gentle_filter_follows_its_wheel_otherwise(
     body, wheel = run["sprung.az"], run["unsprung.az"]
     behind = rides.filtered(body, corner_hz, order, high=high)
     found = [one for one in doubts({"sprung.az": behind, "unsprung.az": wheel}, rides.RATE) if "follows" in one.message]
-    assert [f"behind a {what} pass of some" in one.message for one in found] == [True]
+    assert [f"after a {what}-pass filter at about" in one.message for one in found] == [True]
     assert found[0].value == pytest.approx(corner_hz, rel=0.1)
     assert list(doubts({"sprung.az": body, "unsprung.az": wheel}, rides.RATE)) == []
 

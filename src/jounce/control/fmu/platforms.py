@@ -26,7 +26,7 @@ PLATFORMS = {
 
 
 def this_platform() -> str:
-    """The name of the platform we run on, as FMI 3.0 has it.
+    """FMI 3.0's name of the current platform.
 
     >>> this_platform().count("-")
     1

@@ -1,4 +1,4 @@
-"""Hook of PyInstaller: modules are imported by name, files lie beside them, and sources are what built code is of."""
+"""Hook for PyInstaller: modules imported by name, data files, and the sources that built code is checked against."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a lane keeps: records as they came in, and their gradings, in a database."""
+"""The archive of a lane: original records and their gradings, in a database."""

@@ -111,7 +111,7 @@ SMALL = tuple(sorted(NAMES - {CONTENTS.name}))
 
 
 def create_tables(connection: Connection) -> None:
-    """Make the tables that are not there yet, and note their version."""
+    """Create missing tables, and note their version."""
     _TABLES.create_all(connection)
     if connection.execute(select(ABOUT.c.value).where(ABOUT.c.name == "schema")).scalar() is None:
         connection.execute(insert(ABOUT).values(name="schema", value=SCHEMA_VERSION))
@@ -132,7 +132,7 @@ _LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be 
 
 
 class DamagedStoreError(RecordingError):
-    """A file that was a record store, or no store at all; it is never written to."""
+    """A damaged record store, or another file; it is never written to."""
 
 
 def hide_password(location: str) -> str:
@@ -156,7 +156,7 @@ def file_of(location: str) -> Path | None:
 
 
 def open_database(location: str, *, read_only: bool, damaged: bool = False) -> Engine:
-    """Open a database (a file, or a URL of SQLAlchemy), which is made where there is none.
+    """Open a database (a file, or a URL of SQLAlchemy); create it if missing.
 
     A damaged one is refused before anything is written to it, unless it is opened as ``damaged``, for reading only.
     """

@@ -32,7 +32,7 @@ COLUMNS = (
 
 
 def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
-    """Give one row for each wheel of each record by its newest grading; one without a wheel where none is known."""
+    """Give one row for each wheel of each record by its newest grading; one without a wheel if none is known."""
     rows = []
     for record in records:
         about: Row = {name: getattr(record, name) for name in _OF_RECORD}

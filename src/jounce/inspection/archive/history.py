@@ -1,4 +1,4 @@
-"""One vehicle over the years: what each wheel measured at every inspection, and how it changes."""
+"""One vehicle over the years: values of each wheel at every inspection, and their trends."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class WheelVisit:
 
 @dataclass(frozen=True)
 class Trend:
-    """How one value of one wheel changes."""
+    """Trend of one value of one wheel."""
 
     axle: str
     wheel: str

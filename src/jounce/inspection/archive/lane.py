@@ -43,7 +43,7 @@ class InspectedRecord:
 
     @property
     def facts(self) -> dict[str, str]:
-        """What the record's header says in words."""
+        """Texts of the record's header."""
         return {name: value for name, value in self.graded.inspection.facts.items() if isinstance(value, str)}
 
 
@@ -114,7 +114,7 @@ def entry_of(
     vehicle: Any = None,
     methods: Sequence[str] | None = None,
 ) -> RecordEntry:
-    """Give a record's file, and the TOML file beside it, as they are, with what is known of them.
+    """Return a record's file, and the TOML file next to it, unchanged, with their metadata.
 
     What ``facts`` do not say (plate number, vehicle, date, axle, tester) is taken from the header. Tester, vehicle and
     methods are those by which it is evaluated, now and again.

@@ -144,7 +144,7 @@ class FoundRecords(Shown):
     records: tuple[StoredRecord, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give what is to be known of each record, with its newest verdict."""
+        """Return the metadata of each record, with its newest verdict."""
         return {"store": self.store, "records": [_summary(record) for record in self.records]}
 
 
@@ -230,7 +230,7 @@ def _conditions(
 
 @dataclass(frozen=True)
 class ExportedRecords(Plain):
-    """A table that was written: store, file, counts of records and rows, and what a damaged store lost."""
+    """A written table: store, file, counts of records and rows, and the losses of a damaged store."""
 
     store: str
     out: str
@@ -374,7 +374,7 @@ def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
 
 @dataclass(frozen=True)
 class ReevaluatedStore(Shown):
-    """A store whose records were evaluated again: where it is, by which limits, and what came of it."""
+    """A store whose records were evaluated again: its location, the limits, and the result."""
 
     store: str
     limits: str

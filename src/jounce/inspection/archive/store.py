@@ -58,7 +58,7 @@ _GAP = 100  # rows that may be missing in a row of a damaged table
 
 
 class Store:
-    """An open record store: a file, made where there is none, or a database URL (``postgresql+psycopg://...``).
+    """An open record store: a file, created if missing, or a database URL (``postgresql+psycopg://...``).
 
     A damaged file is refused unless ``damaged`` says so: it is opened for reading only then, and left as it is. A
     database of another kind or version is refused.
@@ -140,7 +140,7 @@ class Store:
             connection.execute(insert(RESULTS), [_row_of(number, grading) for number, grading in gradings])
 
     def content(self, number: int) -> tuple[bytes, bytes | None]:
-        """Give file and sidecar of a record as they came in; refuse them where these are not the bytes that came in."""
+        """Return file and sidecar of a record as imported; refuse them if their bytes have changed."""
         wanted = select(CONTENTS.c.content, CONTENTS.c.sidecar, RECORDS.c.digest).join(
             RECORDS, RECORDS.c.number == CONTENTS.c.record
         )
@@ -157,12 +157,12 @@ class Store:
         return content, sidecar
 
     def signals(self, number: int) -> bytes | None:
-        """Give the packed signals of a record; None where it could not be read when it came in."""
+        """Return the packed signals of a record; None if it could not be read when imported."""
         with self._reading() as connection:
             return connection.execute(select(CONTENTS.c.signals).where(CONTENTS.c.record == number)).scalar()
 
     def entry(self, number: int) -> RecordEntry:
-        """Give what is known of a record, without its file."""
+        """Return the metadata of a record, without its file."""
         tester, vehicle = DESCRIPTIONS.alias("tester_of"), DESCRIPTIONS.alias("vehicle_of")
         joined = RECORDS.outerjoin(tester, tester.c.digest == RECORDS.c.tester_digest)
         joined = joined.outerjoin(vehicle, vehicle.c.digest == RECORDS.c.vehicle_digest)
@@ -190,7 +190,7 @@ class Store:
         since: str | None = None,
         until: str | None = None,
     ) -> list[StoredRecord]:
-        """Find records, by date; every condition that is given must hold.
+        """Find records, by date; all given conditions must be met.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""A folder of a test lane, watched: every record that is written there goes into the store; the files stay."""
+"""Watch a folder of a test lane: every record written there goes into the store; the files stay."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def check_folder(folder: Path) -> None:
 
 
 class FolderWatch:
-    """Looks into a folder again and again, and puts finished records into a store.
+    """Scans a folder repeatedly, and puts finished records into a store.
 
     A file counts as finished when its size and time, and those of the TOML file beside it, stay the same for
     ``settle`` seconds. What was looked at is remembered in the store: a file that cannot be read is reported once, and
@@ -96,15 +96,15 @@ class FolderWatch:
 
     @property
     def waiting(self) -> list[Path]:
-        """Files that may still be written, or could not be looked at or stored until now."""
+        """Files that may still be growing, or could not be read or stored so far."""
         return [file for _, _, file in self._waiting.values()]
 
     def look(self) -> list[Seen]:
-        """Look once; give what became of the files that are finished now."""
+        """Scan once; return the outcome for the files that are now finished."""
         return list(self.each())
 
     def each(self) -> Iterator[Seen]:
-        """Look once; give each file as soon as it is in the store, or found to be no record."""
+        """Scan once; yield each file as soon as it is stored or rejected."""
         now = self._clock()
         try:
             files = sorted(file for file in self.folder.iterdir() if self._may_be_record(file))

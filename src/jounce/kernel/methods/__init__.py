@@ -1,1 +1,1 @@
-"""Ways through a run: adaptive steps, explicit or implicit, and exact propagation of what is piecewise linear."""
+"""Integration methods: adaptive steps, explicit or implicit, and exact propagation of piecewise linear models."""

@@ -34,7 +34,7 @@ WATCHED = 0.5  # radians of the fastest motion between looks at the switches; th
 
 
 class Blocks(NamedTuple):
-    """How a run is cut up, and room for a block of steps.
+    """Division of a run into steps, and space for a block of them.
 
     Every distance of samples of ``parts`` times the propagators' step is cut into so many steps; samples with another
     distance to the next are in ``odd``, and the last one. ``slack`` (s) is how far times are rounded. ``wave`` is the
@@ -122,7 +122,7 @@ def signals_of(tracks: Tracks, inputs: int) -> int:
 
 
 def spacing(times: Array) -> tuple[float, Integers]:
-    """Typical distance of samples (s), and from which ones the next is another way off, the last one among them.
+    """Typical distance of samples (s), and the samples after which the distance changes, including the last one.
 
     What many runs share, such as times that nobody can change, is looked at once.
     """
@@ -144,7 +144,7 @@ def _slack(times: Array) -> float:
 
 
 def typical_step(times: Array, distances: Array) -> float:
-    """The one of the distances between samples (s) that is met most."""
+    """The most frequent distance between samples (s)."""
     whole = distances[:-1] if len(distances) > 1 else distances  # the last one may be shorter
     if np.max(np.abs(whole - whole[0])) <= 1e-12 * max(1.0, abs(times[-1])):
         return float((times[len(whole)] - times[0]) / len(whole))
@@ -172,7 +172,7 @@ def rate_bound_of(problem: Problem, props: Propagators) -> float:
 
 
 class Run(NamedTuple):
-    """A run and where it stands.
+    """A run and its current state.
 
     ``band`` is how far a switch may be on the wrong side between events; right after one, and at edges, it is the wider
     ``dead_band``, since times are rounded. ``x`` holds the state, ``trial`` one on the way; ``time`` and ``u`` an
@@ -212,7 +212,7 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
 
 
 def run_of(problem: Problem, control: Control, props: Propagators, out: Samples, counts: Integers) -> Run:
-    """Lay out a run that stands at its start."""
+    """Prepare a run at its start."""
     width = props.matrix.shape[2]
     run = Run(
         problem,

@@ -24,7 +24,7 @@ def shortened(engine: Engine, step: int, dense: int, error: int) -> Engine:
 
 
 class Pair(NamedTuple):
-    """How an explicit method goes its way (``adaptive.walk``)."""
+    """Constants of an explicit method for ``adaptive.walk``."""
 
     first: float = 1e-3
     waits: bool = False

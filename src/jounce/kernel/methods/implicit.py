@@ -37,7 +37,7 @@ class Slopes(NamedTuple):
 
 
 class Rosenbrock(NamedTuple):
-    """How the method goes its way (``adaptive.walk``), and scratch arrays of a step.
+    """Constants of the method for ``adaptive.walk``, and scratch arrays of a step.
 
     These are: stages and drift of the rates, slopes, the linear system, rates of the inputs.
     """

@@ -47,7 +47,7 @@ LOOKS = ("look", "glance")
 
 @dataclass(frozen=True)
 class Sizes:
-    """What the code of a step is made for.
+    """Properties that the code of a step depends on.
 
     Numbers of states, of tracks, of signals that do not vanish, of inputs; which states and, behind them, inputs each
     output depends on that is looked at (``rows``); numbers of switching functions, and of signals that jump at edges
@@ -198,7 +198,7 @@ class Steps:
 
 
 class Course(NamedTuple):
-    """What all variants feel, at each step: the signals at its start, then inputs just after and just before its end.
+    """Excitation of all variants at each step: signals at its start, then inputs just after and just before its end.
 
     Of the signals only those are there that do not vanish (``felt``). The inputs are followed by the rate of the last
     one of each track. ``edges`` numbers the steps with edges inside (-1: none, ``ALONE``: between sines), whose rows in
@@ -263,7 +263,7 @@ class Room(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Variants from ``first`` to ``stop`` (``span``), one row of ``parameters`` each, and what is found of them.
+    """Variants from ``first`` to ``stop`` (``span``), one row of ``parameters`` each, and their results.
 
     ``run`` is that of a variant which takes a step by itself; ``chosen`` are the outputs looked at, ``modes`` those at
     rest. ``length`` of a step (s) is an array of one number. ``sums`` has ``SUMS`` numbers of each output, about its
@@ -323,7 +323,7 @@ _dependences: Recent[tuple[tuple[int, ...], ...]] = Recent()
 def course(
     tracks: Tracks, signals: int, inputs: int, times: Array, jumping: Sequence[int], terms: int, frequency: Array
 ) -> tuple[Course, tuple[tuple[int, ...], ...]]:
-    """Lay out what tracks of polynomials and sines do over steps between ``times`` (s), all of one length.
+    """Tabulate tracks of polynomials and sines over steps between ``times`` (s), all of one length.
 
     ``frequency`` are the angular frequencies of the sines (rad/s) after a zero: each step has the signals of all of
     them, which vanish where a track is on another piece. Where a sine begins or ends inside a step, all variants take

@@ -1,4 +1,4 @@
-"""What a step does to a piecewise linear model: matrices for one combination of modes, made when it first occurs.
+"""Step matrices of a piecewise linear model: one set for each combination of modes, made when it first occurs.
 
 With modes held the model is ``x' = A x + r + B u``; ``u`` are value, rate (and acceleration) of every track. On one
 piece a track is known by its *signals*, its value and first derivatives. They obey a small linear equation of their
@@ -59,7 +59,7 @@ class Layout(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Room to work in.
+    """Workspace.
 
     Directions and slopes along them; derivatives of a track, series of all inputs and of the state; powers of time;
     squares; turned signals; inputs at rest and at the start; switching functions, and their changes.
@@ -112,7 +112,7 @@ def propagators(
     frequency: Array,
     scale: Array,
 ) -> Propagators:
-    """Make room for propagators; the length of their step is still to be given.
+    """Allocate propagators; the length of their step is set later.
 
     ``sizes`` are numbers of states, of tracks, and for each track of inputs and of signals; ``slopes`` is how many
     quantities the native function of slopes differentiates; ``frequency`` holds the angular frequencies of the sines
@@ -139,7 +139,7 @@ def propagators(
 
 
 def terms_of(z: float) -> int:
-    """Terms of a series that a jump inside a step takes, where the fastest motion goes through ``z`` radians."""
+    """Terms of a series needed for a jump inside a step in which the fastest motion turns by ``z`` radians."""
     term, count = 1.0, 0
     while term > 1e-16 and count < TERMS - 1:
         count += 1

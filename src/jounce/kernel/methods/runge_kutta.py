@@ -195,7 +195,7 @@ SHORT_NAMES = {"step": "short_step", "dense": "short_dense", "error": "short_err
 
 @dataclass(frozen=True)
 class Step:
-    """What a step integrates: the name of the rate function and the lengths of its arrays.
+    """System of a step: the name of the rate function and the lengths of its arrays.
 
     ``size`` states are integrated, of which the first ``controlled`` steer the step size and feed the switches.
     """

@@ -1,4 +1,4 @@
-"""Run by a frozen application before it: in child processes of jounce it does what an interpreter would do.
+"""Runs at the start of a frozen application: in child processes of jounce it acts as an interpreter would.
 
 jounce starts ``sys.executable`` with code (``-P -c``) or with a file (``-I``). Here this is the application, which
 would start a second time.
