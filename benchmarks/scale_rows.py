@@ -22,7 +22,7 @@ from timing import Row, markdown, median_time
 import jounce as jn
 from jounce.papers.demo import prepare_demo
 from jounce.simulation.settings import RunSettings
-from jounce.variants.many import prepared
+from jounce.variants.many import read_request
 from jounce.variants.workers import Task, here, on_cluster
 
 _RIG = "kart-quarter-car"
@@ -102,10 +102,10 @@ def _cluster() -> list[Row]:
 
     rig, trial = jn.load(_RIG), _course()
     settings, metrics = RunSettings(), ["rms sprung.az"]
-    work, columns = prepared(rig, trial, _design(4096), settings, metrics, None, None)
+    work, columns = read_request(rig, trial, _design(4096), settings, metrics, None, None)
     work.run(columns, threads=1)
     size = max(1, int(4096 * _TASK_OF / _once(lambda: work.run(columns, threads=1))))
-    work, columns = prepared(rig, trial, _design(_TASKS * size), settings, metrics, None, None)
+    work, columns = read_request(rig, trial, _design(_TASKS * size), settings, metrics, None, None)
     version = metadata.version("jounce")
     tasks = [
         Task(i, i * size, {path: column[i * size : (i + 1) * size] for path, column in columns.items()}, version)
