@@ -111,8 +111,8 @@ def test_springs(cli) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("speed",), "give what the speed follows from"),
-        (("speed", "--speed", "1", "--inverter-frequency", "20 Hz"), "give what the speed follows from"),
+        (("speed",), "give an inverter frequency, a speed or pulses"),
+        (("speed", "--speed", "1", "--inverter-frequency", "20 Hz"), "give an inverter frequency, a speed or pulses"),
         (("speed", "--pulses", "62"), "--duration is missing"),
         (("speed", "--pulses", "0", "--duration", "10 s"), "number of pulses is not positive"),
         (("speed", "--inverter-frequency", "0 Hz"), "inverter frequency is not positive"),

@@ -104,8 +104,8 @@ def test_a_rack_beyond_the_end_of_travel_is_told(cli) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "no load of the road"),
-        (["--left", "lateral_force=1 kN"], "no load of the road"),
+        ([], "no load from the road"),
+        (["--left", "lateral_force=1 kN"], "no load from the road"),
         (["--load", "sideways=1 kN"], "sideways"),
         (["--load", "lateral_force=1 kN", "--rack", "-20:20:2"], "Millimetres meant"),
         (["--load", "lateral_force=1 mm"], "wrong unit"),

@@ -104,7 +104,10 @@ def test_pareto(cli):
         (("springs", "kart-quarter-car", "--frequency", "1.2 m", "--damping-ratio", "0.3"), "wrong unit"),
         (("springs", "kart-quarter-car", "--frequency", "1.2 Hz", "--damping-ratio", "-0.3"), "at least 0"),
         (("springs", "kart-quarter-car", "--frequency", "", "--damping-ratio", "0.3"), "--frequency"),
-        (("springs", "kart-quarter-car", "--frequency", "1e-300", "--damping-ratio", "0.3"), "no spring is so soft"),
+        (
+            ("springs", "kart-quarter-car", "--frequency", "1e-300", "--damping-ratio", "0.3"),
+            "an implausibly low frequency",
+        ),
         (("springs", "kart-double-wishbone", "--frequency", "1.2 Hz", "--damping-ratio", "0.3"), "lumped_from"),
         (("springs", "kart-quarter-car", "--frequency", "4", "--damping-ratio", "0.3", "--out", "a.json"), ".toml"),
         ((*QUARTER[1:], "--free", DAMPER, "--objective", "sprung.az", *ON_C), "not NAME=VALUE"),
@@ -161,7 +164,7 @@ def test_a_study_file_says_all_of_an_optimisation(cli, tmp_path):
     assert "study.toml" in cli("check", "study.toml").out
     told = cli("design", "optimise", "study.toml", "--objective", "sprung.az")
     assert told.exit_code == 2
-    assert "a study file says all" in told.err
+    assert "a study file defines" in told.err
     assert cli("design", "optimise", "audi-a6-quarter-car").exit_code == 2
 
 

@@ -111,8 +111,8 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
     [
         (HEAD + FREE + CURVE.replace("toe", "tow"), ["target[0].quantity", "unknown quantity 'tow'", "'toe'"]),
         (HEAD + FREE.replace("tie_rod_inner", "tie_rod_iner") + CURVE, ["free[0].point", "no such parameter"]),
-        (HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE, ["does nothing"]),
-        (HEAD + FREE.replace("tie_rod_inner", "strut_top") + CURVE, ["does nothing", "strut_top"]),
+        (HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE, ["has no effect"]),
+        (HEAD + FREE.replace("tie_rod_inner", "strut_top") + CURVE, ["has no effect", "strut_top"]),
         (HEAD + FREE + FREE + CURVE, ["free twice", "hardpoints.tie_rod_inner[0]"]),
         (HEAD + FREE.replace("15 mm", "15 kg") + CURVE, ["free[0].within", "kg"]),
         (HEAD + FREE.replace('"15 mm"', "15") + CURVE, ["15 m", "metres"]),
@@ -146,7 +146,7 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
             SEVERAL + FREE.replace('"hard', '"rear.hard') + CURVE + 'rig = "front"\n',
             ["free[0].point", "'rear'", "front"],
         ),
-        (SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE, ["target[0].rig", "whose", "front"]),
+        (SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE, ["target[0].rig", "rig of the target", "front"]),
         (
             SEVERAL
             + '[vehicle]\naxle = "front"\nwheelbase = 1.5\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'

@@ -144,7 +144,7 @@ def test_completion_without_a_home_is_printed_only(cli, monkeypatch: pytest.Monk
     monkeypatch.setattr(Path, "home", nowhere)
     outcome = cli("completion", "bash", "--install")
     assert outcome.exit_code == 2
-    assert "no home folder is known" in outcome.err
+    assert "the home folder" in outcome.err
     assert "without --install" in outcome.err
     assert cli("completion", "bash").exit_code == 0
 

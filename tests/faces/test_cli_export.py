@@ -91,7 +91,7 @@ def test_roads_that_cannot_be_written(cli) -> None:
         refused = cli("export", "road", *words)
         assert (refused.exit_code, message in refused.err) == (2, True), refused.err
     rough = jn.Iso8608(class_="C", length="10 m")
-    with pytest.raises(jn.JounceError, match="the road is not known so far"):
+    with pytest.raises(jn.JounceError, match="the road is not known over this distance"):
         jn.write_road(rough, "road.crg", length=20.0)
 
 

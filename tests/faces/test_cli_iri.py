@@ -48,7 +48,7 @@ def test_people_get_a_table(cli) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("x [m], z [m]\n" + rows(200), "these heights are no road's"),
+        ("x [m], z [m]\n" + rows(200), "these heights are implausible for a road"),
         ("x [m], z [mm]\n" + rows(20), "too short"),
         ("x [m], z [mm]\n" + rows(200, 0.75), "too far apart"),
         ("x [m], z [mm]\n" + "\n".join(reversed(rows(200).splitlines())), "distance runs backwards"),

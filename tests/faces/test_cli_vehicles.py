@@ -206,7 +206,7 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
         (("draw", FULL), "has no hardpoints"),
         (("animate", FULL, "--report", "a.html", *DRIVE), "has no hardpoints"),
         (("kinematics", HALF, "--travel", "0"), "a lumped rig has no kinematics"),
-        (("kinematics", "formula-student-car", "--travel", "0"), "one corner at a time"),
+        (("kinematics", "formula-student-car", "--travel", "0"), "only one corner can be swept at a time"),
         (("adjust", HALF, "--set", "spring_preload=1 N"), "only a rig with hardpoints is adjusted"),
     ],
 )

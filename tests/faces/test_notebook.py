@@ -51,7 +51,7 @@ def test_a_slider_has_the_range_and_the_unit_of_its_number(kart: Any) -> None:
     ("numbers", "message"),
     [
         (["strut.sprng.rate"], r"unknown number 'strut\.sprng\.rate'.*Did you mean 'strut\.spring\.rate'"),
-        (["strut.spring.preload"], "half of nothing is no range"),
+        (["strut.spring.preload"], "half of zero is not a range"),
         ({RATE: ("20 N/mm", 20000.0)}, "not a range; found '20000 to 20000'"),
         ({RATE: ("20 N", "30 N")}, "wrong unit"),
         ([], "no numbers to move"),

@@ -120,7 +120,7 @@ def test_a_pipe_into_which_nobody_writes_keeps_nobody_waiting(tmp_path, monkeypa
     monkeypatch.setattr(pipes, "_PATIENCE", 0.1)
     os.mkfifo(tmp_path / "rig.toml")
     assert main(["modes", str(tmp_path / "rig.toml")]) == 2
-    assert "nobody writes into this pipe" in capsys.readouterr().err
+    assert "no process writes into this pipe" in capsys.readouterr().err
 
 
 def test_who_has_opened_a_pipe_may_take_any_time_to_write(tmp_path, monkeypatch, capsys):

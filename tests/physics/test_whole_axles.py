@@ -99,7 +99,7 @@ def test_an_axle_of_a_corner_and_its_mirror_is_that_of_one_file(rig) -> None:
     ("given", "message"),
     [
         ({"left_travel": 0.01, "roll": 0.01}, "an attitude of the body at once"),
-        ({"heave": [0.0, 0.01], "roll": [0.0, 0.01, 0.02]}, "not as many values"),
+        ({"heave": [0.0, 0.01], "roll": [0.0, 0.01, 0.02]}, "different numbers of values"),
         ({"left_travel": 20.0}, "Millimetres meant"),
         ({"roll": 2.0}, "too steep"),
         ({"handwheel": "30 deg"}, "no handwheel moves this rack"),

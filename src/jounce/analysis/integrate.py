@@ -325,7 +325,7 @@ def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) 
     if given is not None:
         if not lowest <= given < 0.25 * used.rate:
             raise RecordingError(
-                "the corner does not fit the record",
+                "the corner frequency does not suit the record",
                 where=f"{at}: above",
                 found=f"{given:g} Hz",
                 allowed=f"{lowest:.3g} Hz, {_FEWEST_CYCLES:g} cycles of the record, to {0.25 * used.rate:g} Hz",
@@ -335,10 +335,10 @@ def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) 
     top = int(np.argmax(density / f))
     if top == 0 or f[top] <= lowest:
         raise RecordingError(
-            "drift hides the motion: the density falls from the lowest frequency on",
+            "drift hides the motion: the density falls from the lowest frequency",
             where=at,
-            allowed="a corner of your own (above)",
-            hint="Look at the spectrum, and take the corner where it leaves the drift.",
+            allowed="your own corner frequency, above",
+            hint="Look at the spectrum, and choose the corner where it departs from the drift.",
         )
     valley = int(np.argmin(density[:top]))
     above = np.flatnonzero(density[valley : top + 1] > _ABOVE_NOISE * density[valley])
@@ -446,7 +446,7 @@ def _whole_periods(used: Measured, period: float | None) -> int:
     count = int((samples + 0.5) / (period * used.rate)) if period > 0.0 else 0
     if count < 1 or period * used.rate < 8.0:
         raise RecordingError(
-            "the record holds no whole period",
+            "the record contains no whole period",
             where=f"{used.name}: period",
             found=f"{period:g} s",
             allowed=f"{8.0 / used.rate:g} s to {samples / used.rate:g} s",

@@ -246,7 +246,9 @@ def fit_modes(
         check_channel(used, given)
     names = [name for name in chosen(used, outputs) if outputs is not None or name != given]
     if not names or given in names:
-        raise RecordingError("no output", where=used.name, found=", ".join(names), allowed="channels beside the input")
+        raise RecordingError(
+            "no output", where=used.name, found=", ".join(names), allowed="channels other than the input"
+        )
     check_moving(used, [*names, *([given] if given else [])])
     samples = _decay_samples(used) if decay else _samples(used, segment)
     length = samples / used.rate

@@ -29,7 +29,7 @@ def compared_rig(
 ) -> Rig | None:
     """Load a rig and change its values, if one is named; refuse changes without a rig."""
     if rig is None and changes:
-        raise DescriptionError("it changes no rig", where="changes", hint="Name the rig with --rig.")
+        raise DescriptionError("there is no rig to change", where="changes", hint="Name the rig with --rig.")
     return None if rig is None else chosen_rig(rig, changes)
 
 

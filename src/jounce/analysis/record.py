@@ -90,7 +90,7 @@ class Measured:
                 where=f"{self.name}: {name}",
                 found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
                 allowed="numbers throughout",
-                hint="Choose a stretch without gaps (begin, end), or read the file with resample.",
+                hint="Choose a section without gaps (begin, end), or read the file with resample.",
             )
         return values
 
@@ -118,7 +118,7 @@ def measured(record: AnyRecord, begin: float | str | None = None, end: float | s
     inside = np.flatnonzero((time >= low - slack) & (time <= high + slack))
     if inside.size < FEWEST_SAMPLES:
         raise RecordingError(
-            "the stretch holds too few samples",
+            "the section has too few samples",
             where=whole.name,
             found=f"{inside.size} from {low:g} s to {high:g} s",
             allowed=f"at least {FEWEST_SAMPLES}, from {time[0]:g} s to {time[-1]:g} s",
@@ -183,7 +183,7 @@ def band_of(
     low, high = (lowest, top) if band is None else (to_si(end, "Hz", where="band") for end in band)
     if not 0.0 <= low < high or low >= top:
         raise RecordingError(
-            "the band holds no frequency of the record",
+            "the band contains no frequency of the record",
             where=f"{record.name}: band",
             found=f"{low:g} Hz to {high:g} Hz",
             allowed=f"two frequencies from 0 to {top:g} Hz",

@@ -254,7 +254,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     )
     if averages < _FEWEST_AVERAGES:
         raise RecordingError(
-            "a coherence needs two independent segments or more",
+            "a coherence needs at least two independent segments",
             where=f"{used.name}: segment",
             found=f"{averages:.2g} of {count / used.rate:g} s",
             allowed=f"at most {used.duration / 3.0:.3g} s",

@@ -575,15 +575,19 @@ def find_belt_speed(
     """
     if (inverter_frequency is not None and speed is not None) or inverter_frequency == speed == pulses:
         raise DescriptionError(
-            "give what the speed follows from",
+            "give an inverter frequency, a speed or pulses",
             where="jounce bench speed",
             allowed='either --inverter-frequency "24.6 Hz" or --speed "1.95 m/s", and/or --pulses 62 --duration "10 s"',
         )
     if pulses is None and duration is not None:
         hint = "Count them in that time, or leave it out."
-        raise DescriptionError("--duration is the time in which --pulses are counted, which are missing", hint=hint)
+        raise DescriptionError(
+            "--duration is the time in which --pulses are counted, but --pulses is missing", hint=hint
+        )
     if pulses is not None and duration is None:
-        raise DescriptionError("--duration is missing; pulses are counted in a time", allowed='--duration "10 s"')
+        raise DescriptionError(
+            "--duration is missing: the time in which the pulses were counted", allowed='--duration "10 s"'
+        )
     frequency = None if inverter_frequency is None else to_si(inverter_frequency, "Hz", where="inverter_frequency")
     if speed is not None:
         frequency = inverter_frequency_for(drive, positive_si(speed, "m/s", where="speed"))

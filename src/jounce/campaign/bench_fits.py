@@ -604,7 +604,7 @@ def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:
     rate, motion, described = fit.stiffness, MOTIONS[fit.motion], load(rig)
     if part in described.parameters() and (takes := unit_of(described, part)) != motion.stiffness:
         raise OutputError(
-            "the part takes no such rate",
+            "the part has no such rate",
             where="--part",
             found=f"{spoken(motion.stiffness)} for {part}",
             allowed=f"a part in {spoken(motion.stiffness)}; this one is in {spoken(takes)}",

@@ -322,7 +322,7 @@ def _window(measured: xr.Dataset, entry: TrialEntry) -> xr.Dataset:
     part = measured.sel(time=slice(entry.from_, entry.to))
     if part.sizes["time"] < FEWEST_SAMPLES:
         raise FitError(
-            "nothing of the record lies between from and to",
+            "the record has no samples between from and to",
             where="from, to",
             found=f"{part.sizes['time']} samples",
             allowed=f"between {float(measured['time'][0]):.4g} and {float(measured['time'][-1]):.4g} s",
@@ -354,7 +354,7 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
     step = float(measured["time"][1] - measured["time"][0])
     if step > SLOWEST_STEP:
         raise FitError(
-            "no motion of a suspension can be seen in the recording",
+            "the recording is too slow to show the motion of a suspension",
             where="time",
             found=f"a sample every {step:.4g} s",
             allowed=f"steps up to {SLOWEST_STEP:g} s",
@@ -525,7 +525,7 @@ class Runner:
             return [item for item in self.loaded.values() if item.entry.use == "fit"]
         lost = [number for number in entry.trials if number not in self.loaded]
         if lost:
-            raise FitError("a trial it needs could not be used", found=f"trial {lost[0]}")
+            raise FitError("a required trial could not be used", found=f"trial {lost[0]}")
         return [self.loaded[number] for number in entry.trials]
 
     def compare_strategies(self, strategies: list[StrategyResult]) -> list[StrategyResult]:

@@ -145,7 +145,7 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ..
         if path not in values:
             raise unknown_path(f"speed sweep: {path}", values, name=path)
         if values[path] == 0.0:
-            raise FitError("no relative sensitivity to a value of zero", where=path, hint="Give it a small value.")
+            raise FitError("a value of zero has no relative sensitivity", where=path, hint="Give it a small value.")
     return tuple(FreeParameter(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
 
 

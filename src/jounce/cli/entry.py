@@ -189,7 +189,7 @@ def completion(
             _, file = install_completion(shell.value, "jounce", _COMPLETION)
         except RuntimeError:  # of pathlib
             raise OutputError(
-                "no home folder is known, in which a shell keeps its settings",
+                "the home folder, in which a shell keeps its settings, is unknown",
                 where="--install",
                 hint="Set HOME, or print the script without --install and let the shell read it.",
             ) from None

@@ -104,7 +104,7 @@ def _wait_for_writer(handle: int, pipe: str) -> bytes:
             return b""
         time.sleep(_PAUSE)
     waited, hint = f"nobody within {_PATIENCE:g} s", "Start what writes into it first."
-    raise DescriptionError("nobody writes into this pipe", where=pipe, found=waited, hint=hint)
+    raise DescriptionError("no process writes into this pipe", where=pipe, found=waited, hint=hint)
 
 
 def _number(match: re.Match[str]) -> int:
@@ -134,7 +134,7 @@ def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path
                 size += len(share)
                 if size > _LARGEST:
                     allowed = f"up to {_LARGEST / 1e9:.3g} GB"
-                    raise DescriptionError("a pipe without an end", where=name, allowed=allowed)
+                    raise DescriptionError("the pipe does not end", where=name, allowed=allowed)
                 target.write(share)
     except OSError as error:
         hint = "Check the space there (TMPDIR)."

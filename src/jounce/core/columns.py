@@ -111,7 +111,7 @@ class Column:
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
         if LARGEST < most < math.inf:  # what is no number is refused by its row
             found = f"{most / abs(factor):g} {self.unit}".rstrip()
-            raise RecordingError("not a size that anything has", where=self.where, found=found)
+            raise RecordingError("an impossible size", where=self.where, found=found)
         return values
 
 
@@ -281,7 +281,7 @@ def _check_memory(size: int, file: Path) -> None:
         return
     if size * _MEMORY_A_BYTE > free:
         raise ResourceError(
-            "the file takes more memory than there is",
+            "the file needs more memory than is available",
             where=str(file),
             found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",
             allowed=f"{free / 1e9:.3g} GB",

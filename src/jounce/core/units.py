@@ -303,7 +303,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
         sizes = Phrase("0, and sizes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST)
         allowed = sizes if si == "1" else Phrases(" ", [sizes, si])
-        raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
+        raise DescriptionError("an impossible size", where=where, found=value, allowed=allowed)
     return number
 
 

@@ -104,12 +104,14 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
     if not _is_study(vehicle):
         for name in ("free", "objective"):
             if not options[name]:
-                raise DescriptionError("nothing is given", where=f"--{name}", hint="Or give a study file that says it.")
+                raise DescriptionError(
+                    "nothing is given", where=f"--{name}", hint="Or give a study file that states it."
+                )
         return
     for name, value in options.items():
         if value:
             raise DescriptionError(
-                "a study file says all of the task", where=f"--{name}", hint="Write it into the file."
+                "a study file defines the whole task", where=f"--{name}", hint="Write it into the file."
             )
     if out is not None and read_optimisation(vehicle)[0].front is not None:
         raise DescriptionError("a front is many rigs", where="--out", hint="Take one of its designs with --set.")

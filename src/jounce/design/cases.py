@@ -193,7 +193,7 @@ def cases_problem(
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
-            raise DescriptionError("nothing is judged by it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
+            raise DescriptionError("no metric uses it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
         judges[case], case_notes = _build_evaluator(cases[case], families, numbers, tuple(asked.values()), case)
         notes += [note for note in case_notes if str(note) not in map(str, notes)]
     words = ", ".join(f"{case} ({_describe_case(given)})" for case, given in cases.items())

@@ -165,7 +165,7 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
     paths = [full_path(owner, path) for path in paths]
     if any(path not in index for path in paths):
         raise DescriptionError(
-            "does nothing: it does not enter the kinematics", where=where, found=name, hint="Leave it out."
+            "has no effect: it does not enter the kinematics", where=where, found=name, hint="Leave it out."
         )
     return paths
 
@@ -205,7 +205,7 @@ def _bounds(
         width = np.array([positive_si(width_text, unit, where=f"{where}.within") for width_text in given])
         if unit == "m" and np.max(width) > _FAR:
             raise DescriptionError(
-                "farther than a hardpoint moves",
+                "too wide a range for a hardpoint",
                 where=f"{where}.within",
                 found=f"{np.max(width):g} m",
                 allowed=f"up to {_FAR:g} m",
@@ -224,7 +224,7 @@ def _bounds(
     farthest = float(max(np.max(np.abs(low)), np.max(np.abs(high))))
     if unit == "m" and farthest > LONGEST:
         raise DescriptionError(
-            "farther away than a hardpoint is",
+            "too far away for a hardpoint",
             where=f"{where}.box",
             found=f"{farthest:g} m",
             allowed=f"up to {LONGEST:g} m",

@@ -158,7 +158,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     names = [goals] if isinstance(goals, str) else [str(goal) for goal in goals]
     if not _FEWEST_GOALS <= len(names) <= MOST_GOALS or len(set(names)) < len(names):
         allowed = f"{_FEWEST_GOALS} to {MOST_GOALS} different metrics"
-        raise DescriptionError("goals compete from two on", where="front", found=", ".join(names), allowed=allowed)
+        raise DescriptionError("at least two goals are needed", where="front", found=", ".join(names), allowed=allowed)
     rig = as_rig(rig)
     given = {name: value for name, value in (("road", road), ("speed", speed), ("band", band)) if value is not None}
     objective = dict.fromkeys(names, 1.0)

@@ -192,7 +192,7 @@ def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[in
         goals.setdefault(str(name), []).append(i)
     if not 2 <= len(goals) <= MOST_GOALS:
         raise DescriptionError(
-            "goals compete from two on",
+            "at least two goals are needed",
             where="target",
             found=", ".join(goals) or "none",
             allowed=f"2 to {MOST_GOALS} goals",
@@ -294,7 +294,7 @@ def _find_corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) ->
     good = [x for x in ended if race.holds(x)]
     if not good:
         raise DescriptionError(
-            "no design within the boxes keeps what must hold",
+            "no design within the boxes meets the constraints",
             where="free",
             found=f"{starts} starts",
             hint="Widen the boxes, ask for less, or give more starts.",

@@ -321,7 +321,7 @@ def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -
         own = [j for j, owner in enumerate(search.free.owners) if owner == k]
         if np.max(effect[own]) < _NOTHING:
             raise DescriptionError(
-                "does nothing: it changes none of the targets",
+                "has no effect on any target",
                 where=f"free[{k}].point",
                 found=entry.point,
                 hint="Leave it out, or ask for a quantity that it changes.",

@@ -114,7 +114,9 @@ def _read_target(
         if "" in rigs:
             raise DescriptionError("the study has one rig", where=f"{where}.rig", found=name, hint="Leave it out.")
         if target.rig is None:
-            raise DescriptionError("whose target is it?", where=f"{where}.rig", found="none", allowed=", ".join(rigs))
+            raise DescriptionError(
+                "the rig of the target is missing", where=f"{where}.rig", found="none", allowed=", ".join(rigs)
+            )
         raise unknown(name, rigs, what="rig", where=f"{where}.rig")
     rig, vehicle = rigs[name], vehicles.get(name)
     poses, along = _poses(rig, target, where)

@@ -498,7 +498,7 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
             "no mechanism within the boxes reaches the poses of the targets",
             where="free",
             found=f"{len(outcomes)} starts, all out of reach",
-            hint="Widen the boxes, or let them hold the rig's own points.",
+            hint="Widen the boxes, or include the rig's own points in them.",
         )
     for best in sorted(reached, key=lambda outcome: outcome.rank):
         try:

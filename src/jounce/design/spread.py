@@ -188,7 +188,7 @@ def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: Ax
         settled.append(better)
         settings.append(lengths)
     if not made:
-        raise DescriptionError("no car goes together", where="spread", hint="Make its tolerances smaller.")
+        raise DescriptionError("no car can be assembled", where="spread", hint="Make its tolerances smaller.")
     return _describe_spread(workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed)
 
 

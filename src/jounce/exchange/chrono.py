@@ -421,7 +421,7 @@ def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> Ri
     moments = np.linalg.eigvalsh(tensor)
     if moments[0] <= 0.0 or moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-6):
         raise OutputError(
-            "what is left of the body has an inertia that no body has",
+            "the rest of the body has an impossible inertia",
             where="wheel_mass",
             found=f"{part.mass:g} kg of {whole.mass:g} kg",
             hint="Take less out.",

@@ -117,7 +117,10 @@ def write_road(
             raise DescriptionError("out of range", where=name, found=f"{value} m", allowed="above 0 m")
     if length > known * (1.0 + 1e-9):
         raise DescriptionError(
-            "the road is not known so far", where="length", found=f"{length:g} m", allowed=f"up to {known:g} m"
+            "the road is not known over this distance",
+            where="length",
+            found=f"{length:g} m",
+            allowed=f"up to {known:g} m",
         )
     count = round(length / step) + 1
     if not 2 <= count <= _MOST:

@@ -334,7 +334,7 @@ def _fit(
     """
     if len(t) < _FEWEST or np.ptp(signal) == 0.0 or not np.all(np.isfinite(np.concatenate(starts))):
         raise FitError(
-            "the record holds no free decay that could be fitted",
+            "the record contains no free decay that can be fitted",
             found=f"{len(t)} samples between turning points",
             hint="Choose the part with a time window (from, to).",
         )

@@ -58,7 +58,7 @@ class NoiseDensity:
         count, size = jacobian.shape
         norms = np.linalg.norm(jacobian, axis=0)
         if not np.all(norms > 1e-9 * max(float(np.max(norms, initial=0.0)), 1e-300)):
-            raise FitError("the data do not react to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
+            raise FitError("the data are insensitive to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
         square = float(residuals.vector @ residuals.vector)
         if square <= 0.0:
             raise FitError("the model explains the data exactly: there is no noise to judge by", where="posterior")

@@ -314,7 +314,7 @@ class _Run:
         solution = solve(compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance, offset=offset)
         if solution.status is not Status.COMPLETED:
             raise SimulationError(
-                "the richer model diverged", where=self.prepared.source.name, found=solution.status.help
+                "the extended model diverged", where=self.prepared.source.name, found=solution.status.help
             )
         return solution
 

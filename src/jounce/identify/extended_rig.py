@@ -328,7 +328,7 @@ def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
     except DescriptionError:
         share = to_si(given, unit_of(rig, path), where=place) / abs(values[path]) if values[path] else 0.0
     if share < 0.0:
-        raise DescriptionError("a doubt below zero", where=place, found=given, allowed="0 or more")
+        raise DescriptionError("an uncertainty below zero", where=place, found=given, allowed="0 or more")
     return share
 
 

@@ -523,7 +523,7 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
     ]
     if not common:
         raise FitError(
-            "the recording holds no channel that the model gives",
+            "the recording contains no channel of the model",
             where=trial.name,
             found=", ".join(str(name) for name in trial.measured.data_vars),
             allowed=", ".join(compiled.output_names),

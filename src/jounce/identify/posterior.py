@@ -224,7 +224,7 @@ def update_with_density(
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
         if calibration is None:
             why = next(one.message for one in update.findings if one.place == "intervals")
-            raise FitError("model error cannot be counted", where=name, found=why, hint="Leave out doubt.")
+            raise FitError("model error cannot be included", where=name, found=why, hint="Leave out doubt.")
         calibration.problem.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, settings)
@@ -304,8 +304,8 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     Raises
     ------
     FitError
-        As :func:`update_model`, for numbers of draws that are none, two trials of one name, and where the data do not
-        react to a parameter.
+        As :func:`update_model`, for numbers of draws that are none, two trials of one name, and where the data are
+        insensitive to a parameter.
     MissingPackageError
         Without the packages of the extra ``posterior``.
 
@@ -439,7 +439,7 @@ class _Given:
             vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
         except TypeError:
             allowed = "residuals, shape (n,), and their derivatives, shape (n, m)"
-            raise FitError("the function gives something else", where="residuals", allowed=allowed) from None
+            raise FitError("the function returns something else", where="residuals", allowed=allowed) from None
         whole = slice(0, len(vector))
         direct = jacobian.reshape(len(vector), -1) * np.array([item.half_range for item in self.free])
         return Residuals(vector, direct, np.zeros(len(vector)), (whole,), (whole,), np.zeros(1))
@@ -457,7 +457,7 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
     names = [trial.name for trial in trials]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise FitError("two trials of one name", where=where, found=twice, hint="Give each a name of its own.")
+        raise FitError("two trials of one name", where=where, found=twice, hint="Give each its own name.")
 
 
 def _noise_level(channel: Channel, residual: Array) -> float:

@@ -52,7 +52,7 @@ def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
             continue
         if isinstance(trial.rig, Vehicle):
             raise FitError(
-                "a wheel load at rest tells the masses of rigs with one wheel",
+                "a wheel load at rest determines the masses only for rigs with one wheel",
                 where=trial.name,
                 found=type(trial.rig).__name__,
                 allowed="a quarter car or a corner, or no wheel load",

@@ -140,7 +140,7 @@ def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, interce
             where=where,
             found=f"{len(np.unique(deflection))} different deflections",
             allowed=f"more than {needed} for law {law!r}",
-            hint="Discard less, lower the degree or take a simpler law.",
+            hint="Discard less, lower the degree or choose a simpler law.",
         )
     if law == "linear":
         return _linear(deflection, force, intercept, where)
@@ -554,7 +554,7 @@ def _points_to_fit(
             found=f"from {trial.motion.say(float(trial.deflection[0]), 4)} and {float(trial.force[0]):.4g} "
             f"{spoken(trial.motion.force)} on",
             allowed="rows in the order of time, from first contact to the largest deflection",
-            hint="Turn the rows round, or the zero of the deflection.",
+            hint="Reverse the rows, or the zero of the deflection.",
         )
     if np.count_nonzero(use) < 2:
         raise FitError(

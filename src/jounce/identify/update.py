@@ -355,7 +355,7 @@ def run_update(
     ranges, priors = bounds_and_priors(trials[0].rig_without, free, name)
     if priors and doubt is None:
         raise FitError(
-            "a prior counts with doubt only",
+            "a prior needs doubt",
             where=f"{name}: {next(iter(priors))}",
             hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
         )

@@ -548,7 +548,7 @@ def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
 def _check_pair(first: GradedInspection, second: GradedInspection) -> None:
     if not first.axle or not second.axle:
         raise RecordingError(
-            "records of two axles must say of which one they are",
+            "records of two axles must state their axle",
             where="axle", found="none", allowed="front, rear", hint='Write a line # axle = "front" before the columns.',
         )  # fmt: skip
     if first.axle == second.axle:

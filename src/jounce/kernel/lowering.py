@@ -94,7 +94,7 @@ class Lanes:
 
     @property
     def form(self) -> str:
-        """Everything but the function that the code depends on, for the cache key."""
+        """All dependencies of the code except the function, for the cache key."""
         return f"{(self.count, self.first)}"
 
     def place(self, argument: int, element: int) -> tuple[int, bool]:
@@ -115,7 +115,7 @@ class Wide:
 
     @property
     def form(self) -> str:
-        """Everything but the function that the code depends on, for the cache key."""
+        """All dependencies of the code except the function, for the cache key."""
         return f"wide {self.count}"
 
 

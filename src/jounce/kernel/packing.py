@@ -76,7 +76,7 @@ class Packed:
 
     @property
     def form(self) -> str:
-        """Everything but the function that the code depends on, for the cache key."""
+        """All dependencies of the code except the function, for the cache key."""
         return f"{self.parts} {self.labels} {self.table}"
 
     @cached_property

@@ -225,7 +225,7 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
         setting = SETTINGS[name]
         if not setting.fits(corner):
             allowed = ", ".join(adjustables(corner))
-            raise DescriptionError("this rig has nothing to set there", where=name, allowed=allowed)
+            raise DescriptionError("this rig has no such adjustment", where=name, allowed=allowed)
         value = to_si(given, setting.unit, where=name)
         low, high = setting.allowed_for(corner)
         if not low - ROUNDING <= value <= high + ROUNDING:

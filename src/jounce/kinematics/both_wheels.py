@@ -122,7 +122,7 @@ def sweep_axle(
     counts = {len(values) for values in read.values() if len(values) > 1}
     if len(counts) > 1:
         counts_text = ", ".join(f"{name}: {len(values)}" for name, values in read.items())
-        raise DescriptionError("not as many values of each", where="sweep of an axle", found=counts_text)
+        raise DescriptionError("different numbers of values", where="sweep of an axle", found=counts_text)
     count = max(counts, default=1)
     at = {name: np.broadcast_to(read.get(name, np.zeros(1)), (count,)).copy() for name in given}
     if handwheel is not None:

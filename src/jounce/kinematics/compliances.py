@@ -107,7 +107,7 @@ def compliance(
     DescriptionError
         If a rig has no hardpoints or no bushings, or values are not monotonic.
     SimulationError
-        If no equilibrium is found, or the bushings leave a motion free.
+        If no equilibrium is found, or the bushings leave a motion unconstrained.
 
     Examples
     --------
@@ -122,7 +122,7 @@ def compliance(
     corner = check_corner(rig)
     if not _has_bushings(corner):
         raise DescriptionError(
-            "the corner has no bushings, so nothing yields",
+            "the corner has no bushings, so it has no compliance",
             where="bushings",
             allowed="tables [bushings.<hardpoint>] with a stiffness",
         )
@@ -236,7 +236,7 @@ def _solve(matrix: Array, right: Array) -> Array:
     values = np.linalg.svd(scaled * columns, compute_uv=False)
     if values[-1] < _FREE * values[0]:
         raise SimulationError(
-            "the bushings leave a motion free",
+            "the bushings leave a motion unconstrained",
             where="bushings",
             hint="Give stiffness in all directions that the joint held, or rotational_stiffness.",
         )

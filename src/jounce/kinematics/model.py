@@ -115,7 +115,7 @@ def check_corner(rig: Rig) -> Corner:
         return rig
     is_car = isinstance(rig, FullCar3D)
     raise DescriptionError(
-        "one corner at a time is swept, no whole car" if is_car else "a lumped rig has no kinematics",
+        "only one corner can be swept at a time, not a whole car" if is_car else "a lumped rig has no kinematics",
         where=getattr(rig, "name", None) or "rig",
         found=f'model = "{getattr(rig, "model", type(rig).__name__)}"',
         allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",

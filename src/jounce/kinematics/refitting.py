@@ -199,7 +199,7 @@ def _rocker_places(
     turn = _turn_to(inner - pivot, end - pivot, np.array(after["pushrod_outer"]) - pivot, length)
     if turn is None:
         change = f"{1e3 * longer:.4g} mm"
-        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=change)
+        raise AssemblyError("rocker and push rod cannot be assembled", where="pushrod_length", found=change)
     names = ("pushrod_inner", *points_on(rig, "rocker"))
     return {name: triple(pivot + _turn(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
 

@@ -47,7 +47,7 @@ def both_loads(
 
 def _load(given: dict[str, str], option: str) -> ContactLoad:
     if not given:
-        raise DescriptionError("no load of the road", where=option, allowed=f"--load {_LOAD}, or --left and --right")
+        raise DescriptionError("no load from the road", where=option, allowed=f"--load {_LOAD}, or --left and --right")
     return ContactLoad.from_table(bare_numbers(ContactLoad, given, f"{option} {{}}".format), where=option)
 
 

@@ -249,7 +249,7 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
             far = float(np.max(np.abs(column)))
             if part.startswith("hardpoints.") and far > LARGE:
                 raise DescriptionError(
-                    "no point of a corner is that far; a bare number is in metres",
+                    "too far away for a point of a corner; a bare number is in metres",
                     where=where,
                     found=f"{far:g} m",
                     allowed=f"up to {LARGE:g} m",

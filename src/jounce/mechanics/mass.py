@@ -247,7 +247,7 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
     if not np.all(np.isfinite(inertia)) or moments[0] < -slack or moments[2] > moments[0] + moments[1] + slack:
         shown = ", ".join(f"{moment:.6g}" for moment in moments)
         raise AssemblyError(
-            "no body has this inertia",
+            "impossible inertia",
             where=name,
             found=f"principal moments {shown} kg m^2",
             allowed="none negative, the largest at most the sum of the others",

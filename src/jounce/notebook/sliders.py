@@ -95,7 +95,7 @@ def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -
     value, si = known[path], unit_of(rig, path)
     if ends is None:
         if value == 0.0:
-            raise DescriptionError("half of nothing is no range", where=path, hint=f'Give its ends: ("0 {si}", ...).')
+            raise DescriptionError("half of zero is not a range", where=path, hint=f'Give its ends: ("0 {si}", ...).')
         ends = ((1.0 - _SHARE) * value, (1.0 + _SHARE) * value)
     low, high = sorted(to_si(end, si, where=path) for end in ends)
     if not low < high:

@@ -207,7 +207,7 @@ def _check_rig(check: FileCheck) -> None:
     try:
         equilibrium(rig)
     except JounceError as error:
-        raise DescriptionError(f"it cannot stand: {error}", where=str(check.file)) from None
+        raise DescriptionError(f"it has no equilibrium: {error}", where=str(check.file)) from None
 
 
 def _parameters(description: Any) -> dict[str, dict[str, float | str]]:

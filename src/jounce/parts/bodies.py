@@ -89,12 +89,12 @@ class Inertia(Description):
         shown = f"its principal moments are {smallest}, {middle} and {largest} kg m^2"
         if moments[0] <= 0.0:
             raise ValueError(
-                f"no body has this inertia: {shown}, and all must be above 0; make the products xy, xz, yz smaller "
+                f"impossible inertia: {shown}, and all must be above 0; make the products xy, xz, yz smaller "
                 "or check their signs (xy = -integral of x y dm)"
             )
         if moments[2] > moments[0] + moments[1] + TRIANGLE_TOLERANCE * moments[2]:
             raise ValueError(
-                f"no body has this inertia: {shown}, and the largest must not exceed the sum of the others "
+                f"impossible inertia: {shown}, and the largest must not exceed the sum of the others "
                 f"({moments[0] + moments[1]:.6g}); check units and axes"
             )
         return self

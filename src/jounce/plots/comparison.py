@@ -142,7 +142,9 @@ def common_channels(
                     )
         return list(channels)
     if not present:
-        raise RecordingError("no channel that all of them hold", where="compare", found="; ".join(map(", ".join, held)))
+        raise RecordingError(
+            "no channel is common to all of them", where="compare", found="; ".join(map(", ".join, held))
+        )
     return ([name for name in _PREFERRED if name in present] or present)[:most]
 
 

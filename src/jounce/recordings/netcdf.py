@@ -245,7 +245,7 @@ def _classic(content: bytes, where: str) -> VariableGroup:
     if min(records, *(length for _, length in dimensions), 0) < 0 or any(
         begin < end for (_, end), (begin, _) in pairwise(parts)
     ):
-        raise ValueError("variables lie over each other")
+        raise ValueError("variables overlap")
     end = max(first + records * step if widths else 0, *(end for _, end in parts))
     findings = surplus(end, size, where) if size - end >= _WORD else []
     by_name = {variable.name: _placed(variable, content, records, step) for variable in variables}

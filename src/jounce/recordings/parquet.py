@@ -81,7 +81,7 @@ _DEEPEST = 20  # structs within each other; only damage nests deeper
 def _struct(content: bytes, at: int, depth: int) -> tuple[dict[int, Any], int]:
     """Fields of a struct by number, and the offset of its end."""
     if depth > _DEEPEST:
-        raise ValueError("structs lie too deep in each other")
+        raise ValueError("structs are nested too deeply")
     fields: dict[int, Any] = {}
     field = 0
     while head := content[at]:

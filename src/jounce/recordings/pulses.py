@@ -97,7 +97,7 @@ def pulse_speed(
     Raises
     ------
     RecordingError
-        Where the signal has no two levels, fewer than four pulses, or a speed that no bench reaches.
+        Where the signal has no two levels, fewer than four pulses, or an implausible speed for a bench.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def pulse_speed(
     mean = float(distance[-1] / (seen[-1] - seen[0]))
     if mean > _PLAUSIBLE:
         raise RecordingError(
-            "a speed that no bench reaches",
+            "an implausible speed for a bench",
             where=where,
             found=f"{mean:.4g} m/s",
             allowed=f"up to {_PLAUSIBLE:g} m/s",

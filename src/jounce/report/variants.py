@@ -1,4 +1,4 @@
-"""A sweep as a page: what every metric amounts to and depends on first, then pictures, runs, and its study."""
+"""A sweep as a page: statistics and sensitivities of every metric first, then pictures, runs, and its study."""
 
 from __future__ import annotations
 

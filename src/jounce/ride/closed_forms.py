@@ -293,7 +293,9 @@ def spring_and_damper(
     stiffness = None if tyre_stiffness is None else positive_si(tyre_stiffness, "N/m", where="tyre_stiffness")
     ride = mass * (2.0 * math.pi * wanted) ** 2
     if ride < _SOFTEST:
-        raise DescriptionError("no spring is so soft", where="frequency", found=f"{wanted:g} Hz", allowed="about 1 Hz")
+        raise DescriptionError(
+            "an implausibly low frequency", where="frequency", found=f"{wanted:g} Hz", allowed="about 1 Hz"
+        )
     rate = ride
     if stiffness is not None:
         if ride >= stiffness:

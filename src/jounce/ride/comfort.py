@@ -122,7 +122,7 @@ def crest_factor(values: ArrayLike, sample_rate: float) -> float:
     signal, sample_rate = _check_signal(values, sample_rate)
     average = rms(signal, sample_rate)
     if not average > 0.0:
-        raise RecordingError("nothing shakes, so there is no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
+        raise RecordingError("the signal is zero, so it has no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
     return float(abs(signal).max()) / average
 
 

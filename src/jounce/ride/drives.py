@@ -49,7 +49,7 @@ def check_single_recording(out: Path | None, control: Sequence[str] | None, **_:
     if out is not None and len(names) > 1:
         listed = ", ".join(map(str, names))
         raise DescriptionError(
-            "one file holds one run", where="--out", found=listed, allowed="one --control with --out"
+            "a file holds a single run", where="--out", found=listed, allowed="one --control with --out"
         )
 
 

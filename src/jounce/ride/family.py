@@ -162,7 +162,9 @@ class LinearFamily:
             with contextlib.suppress(JounceError):  # a step out of the allowed range: try the next
                 changed = self.rig.with_changes({path: value + float(step)})
                 return np.asarray((_geometry(changed, self.wheels) - first) / step)
-        raise DescriptionError("no value beside this one is allowed", where=f"parameters: {path}", found=f"{value:g} m")
+        raise DescriptionError(
+            "no value other than this one is allowed", where=f"parameters: {path}", found=f"{value:g} m"
+        )
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
         """Model at values (SI) of the parameters, by default those of the rig, and its slope along each of them."""

@@ -319,7 +319,7 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
     skipped = to_si(settling, "s", where="settling")
     if not 0.0 <= skipped < duration:
         raise RecordingError(
-            "nothing is left of the record",
+            "no part of the record remains",
             where="settling",
             found=f"{skipped:g} s",
             allowed=f"0 s up to less than {duration:g} s, the duration of the record",

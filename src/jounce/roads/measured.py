@@ -243,7 +243,7 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
     if len(wild):
         i = int(wild[0])
         raise RecordingError(
-            f"the height jumps from row {i + 1} to row {i + 2} as it does on no road",
+            f"the height jumps implausibly from row {i + 1} to row {i + 2}",
             where=where,
             found=f"{height[i]:g} m, then {height[i + 1]:g} m",
             hint="Fill the gap or remove the padding, and check the unit of the heights.",

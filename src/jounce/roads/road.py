@@ -261,6 +261,6 @@ def _check_recurrence(profile: Profile, recurrence: float) -> None:
         )
     if recurrence < profile.span * (1.0 - 1e-9):
         raise ValueError(
-            f"the obstacle comes again before it ends: recurrence {recurrence:g} m is shorter than "
+            f"the obstacle recurs before it ends: recurrence {recurrence:g} m is shorter than "
             f"its length {profile.span:g} m"
         )

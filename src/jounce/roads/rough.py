@@ -229,7 +229,9 @@ class Iso8608(SampledRoad):
         if high <= low:
             raise ValueError(f"band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]")
         if low >= 0.5 / self.step:
-            raise ValueError(f"points every {self.step:g} m hold no waves of {low:g} 1/m and more; make step smaller")
+            raise ValueError(
+                f"points every {self.step:g} m cannot represent waves of {low:g} 1/m and more; make step smaller"
+            )
         if 2.0 * self.fade > self.length * (1.0 + 1e-9):
             text = "two fades of {fade:g} m do not fit into the length {length:g} m"
             most = Phrase("a run_in up to {most:g} m", most=0.5 * self.length)

@@ -319,7 +319,7 @@ def _check_lengths(x: Array, spacing: float, base: float, segment: float, run_up
 def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
     if whole > NO_ROAD:
         raise RecordingError(
-            "these heights are no road's",
+            "these heights are implausible for a road",
             where=place,
             found=f"IRI {whole:.4g} m/km",
             allowed=f"at most {NO_ROAD:g} m/km; the roughest tracks have some {ROUGHEST:g}",

@@ -17,7 +17,7 @@ _GONE = 499  # what servers note where nobody waits for the answer any more
 
 
 class PlainRequest(Request):
-    """A request whose body has no number that JSON lacks, nothing that no file could hold, and few levels."""
+    """A request with a strict JSON body: finite numbers, writable text, and little nesting."""
 
     async def json(self) -> Any:
         """Read the body."""

@@ -111,7 +111,7 @@ def test_results_are_channels_of_the_same_place() -> None:
     ("options", "error", "words"),
     [
         ({"channels": "body.z"}, RecordingError, "only accelerations are integrated"),
-        ({"above": 0.01}, RecordingError, "the corner does not fit the record"),
+        ({"above": 0.01}, RecordingError, "the corner frequency does not suit the record"),
         ({"above": 1.0, "motion": "periodic"}, DescriptionError, "it belongs to random motion"),
         ({"period": 50.0, "motion": "periodic"}, RecordingError, "no whole period"),
         ({"motion": "shock"}, DescriptionError, "unknown motion"),

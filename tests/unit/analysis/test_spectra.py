@@ -55,7 +55,7 @@ def test_slow_channels_end_the_band_and_constant_ones_stay_out() -> None:
     assert found.band == (0.0, 20.0)
     assert [row.channel for row in found.channels] == ["body.az", "body.z"]
     texts = [str(one) for one in found.findings]
-    assert any("body.z: recorded up to 20 Hz only" in text for text in texts)
+    assert any("body.z: recorded only up to 20 Hz" in text for text in texts)
     assert any("tyre.force: the channel is constant" in text for text in texts)
 
 
@@ -74,8 +74,8 @@ def test_a_file_is_read(tmp_path: Path) -> None:
     ("options", "error", "words"),
     [
         ({"segment": "30 s"}, RecordingError, "the segment does not fit the record; found '30 s'"),
-        ({"band": (60.0, 70.0)}, RecordingError, "the band holds no frequency of the record"),
-        ({"band": (5.0, 2.0)}, RecordingError, "the band holds no frequency of the record"),
+        ({"band": (60.0, 70.0)}, RecordingError, "the band contains no frequency of the record"),
+        ({"band": (5.0, 2.0)}, RecordingError, "the band contains no frequency of the record"),
         ({"window": "hamming"}, DescriptionError, "unknown window"),
         ({"confidence": 1.0}, DescriptionError, "no level of confidence"),
         ({"end": "0.3 s"}, RecordingError, "too short for a spectrum"),

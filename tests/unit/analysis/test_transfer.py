@@ -94,7 +94,7 @@ def test_a_band_without_excitation_is_named() -> None:
     [
         ({"given": "still.z"}, RecordingError, "still.z: the channel is constant"),
         ({"given": "roads.z"}, RecordingError, "no channel 'roads.z'"),
-        ({"segment": "50 s"}, RecordingError, "two independent segments or more"),
+        ({"segment": "50 s"}, RecordingError, "at least two independent segments"),
         ({"estimator": "H3"}, DescriptionError, "unknown estimator"),
     ],
 )

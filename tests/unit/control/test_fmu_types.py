@@ -158,7 +158,7 @@ def test_arrays_are_given_in_lists(described) -> None:
         ({"output": None}, "several outputs"),
         ({"counts": {"u[1]": 1.0}}, r"counts are for connected.*allowed: none"),
         ({"inputs": {"i[1]": "strut.velocity"}, "counts": {"i[1]": "1 mm"}}, "counts: i"),
-        ({"inputs": {"i[1]": "strut.velocity"}, "counts": {"i[1]": 0.0}}, "a count of no size"),
+        ({"inputs": {"i[1]": "strut.velocity"}, "counts": {"i[1]": 0.0}}, "a count without a size"),
         ({"inputs": {"on[1]": "strut.velocity"}, "counts": {"on[1]": 1.0}}, "counts"),
     ],
 )

@@ -98,7 +98,7 @@ def test_a_front_over_a_spread(car):
     ("change", "words"),
     [
         ({"cases": {}}, "no case"),
-        ({"cases": {"rough": ROUGH, "other": ROUGH}}, "nothing is judged by it"),
+        ({"cases": {"rough": ROUGH, "other": ROUGH}}, "no metric uses it"),
         ({"cases": {"rough": {"road": "C", "sped": 3.0}}}, "unknown key"),
         ({"cases": {"rough": {"travel": [-0.01, 0.01]}}}, "quantity"),
         ({"objective": "smooth: sprung.az"}, "unknown case"),

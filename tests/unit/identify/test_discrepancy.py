@@ -407,7 +407,7 @@ def test_a_prior_narrows_and_draws(wrong):
 @pytest.mark.parametrize(
     ("given", "doubt", "message"),
     [
-        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "with doubt only"),
+        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "a prior needs doubt"),
         ({"bounds": "15 %", "prior": ["22.7 N/mm"]}, {}, "not bounds with a prior"),
         ({"prior": ["22.7 N/mm", "0.1 N/mm"]}, {}, "not bounds with a prior"),
         ({"bounds": "15 %", "prior": ["22.7 N/mm", "0 N/mm"]}, {}, "not a standard deviation"),
@@ -493,8 +493,8 @@ def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
 def test_where_the_richer_model_does_not_run_a_posterior_is_refused(wrong, monkeypatch):
     """An update then tells of intervals of the noise only; a posterior that was asked for model error is none."""
     made, update = wrong
-    why = Finding("intervals", "warning", "no interval that counts what the model lacks: the richer model diverged")
+    why = Finding("intervals", "warning", "no interval that counts what the model lacks: the extended model diverged")
     lost = replace(update, discrepancy=None, findings=(why,))
     monkeypatch.setattr("jounce.identify.posterior.run_update", lambda *_, **__: (lost, None))
-    with pytest.raises(FitError, match="the richer model diverged"):
+    with pytest.raises(FitError, match="the extended model diverged"):
         jn.posterior(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), draws=1000)

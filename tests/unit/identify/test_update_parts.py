@@ -247,7 +247,7 @@ def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
     cold = RIG.with_changes({"strut.spring.preload": "-20 N"})
     assert own_doubt(cold, "strut.spring.preload", "5 N", "doubt") == pytest.approx(0.25)
     assert own_doubt(RIG.with_changes({"strut.spring.preload": 0.0}), "strut.spring.preload", "5 N", "doubt") == 0.0
-    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mass: a doubt below zero; found '-2 %'"):
+    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mass: an uncertainty below zero; found '-2 %'"):
         own_doubt(RIG, MASS, "-2 %", "doubt")
     with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mas: no such parameter"):
         own_doubt(RIG, "sprung.mas", "2 %", "doubt")

@@ -258,7 +258,7 @@ def test_pairs_of_axles_that_cannot_be_are_refused() -> None:
     with pytest.raises(RecordingError, match="two records of the same axle"):
         grade_vehicle([grade(axle()), grade(axle())])
     unnamed = grade(replace(axle(), axle={}))
-    with pytest.raises(RecordingError, match="must say of which one"):
+    with pytest.raises(RecordingError, match="must state their axle"):
         grade_vehicle([grade(axle()), unnamed])
     assert grade_vehicle([unnamed]).verdict == "pass"
 

@@ -128,9 +128,9 @@ def test_shapes_that_are_none(make, text):
 def test_triangle_inequality_of_moments():
     check_inertia("plate", 1.0, np.diag([1.0, 2.0, 3.0]))
     check_inertia("point", 1.0, np.zeros((3, 3)))
-    with pytest.raises(jn.AssemblyError, match=r"plate: no body has this inertia.*1, 2, 3.1 kg m\^2"):
+    with pytest.raises(jn.AssemblyError, match=r"plate: impossible inertia.*1, 2, 3.1 kg m\^2"):
         check_inertia("plate", 1.0, np.diag([1.0, 2.0, 3.1]))
-    with pytest.raises(jn.AssemblyError, match="no body has this inertia"):  # a product too large
+    with pytest.raises(jn.AssemblyError, match="impossible inertia"):  # a product too large
         check_inertia("plate", 1.0, np.array([[1.0, 1.1, 0.0], [1.1, 1.0, 0.0], [0.0, 0.0, 1.5]]))
 
 

@@ -241,9 +241,9 @@ MISTAKES = [  # old text, new text, line of the message, message
         'xx = "0.08 kg*m^2"',
         'xx = "0.8 kg*m^2"',
         35,
-        r"lower_arm.inertia: no body has.*0.06, 0.13 and 0.8.*sum of the others",
+        r"lower_arm.inertia: impossible inertia.*0.06, 0.13 and 0.8.*sum of the others",
     ),
-    ('zz = "0.13 kg*m^2"', 'zz = "0.13 kg*m^2", xy = 0.2', 35, r"no body has this inertia.*-0.13.*all must be above 0"),
+    ('zz = "0.13 kg*m^2"', 'zz = "0.13 kg*m^2", xy = 0.2', 35, r"impossible inertia.*-0.13.*all must be above 0"),
     ('xx = "0.08 kg*m^2"', 'xx = "-0.08 kg*m^2"', 35, r"bodies.lower_arm.inertia.xx: out of range"),
     ("[bodies.upright]", "[bodies.uprigt]", 42, r"bodies.uprigt: unknown key.*Did you mean 'upright'"),
     ('on = "lower_arm"', 'on = "lower_arms"', 48, r"strut.on: input should be 'lower_arm', 'upper_arm', 'upright' or"),
@@ -376,7 +376,7 @@ def test_an_inertia_on_the_edge_of_the_possible_is_allowed():
     """A thin plate has exactly zz = xx + yy; data sheets round."""
     rig = REFERENCE.with_changes({"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.11005}})
     assert rig.bodies.lower_arm.inertia.principal_moments == pytest.approx([0.05, 0.06, 0.11005])
-    with pytest.raises(DescriptionError, match="no body has"):
+    with pytest.raises(DescriptionError, match="impossible inertia"):
         REFERENCE.with_changes({"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.1105}})
 
 

@@ -146,7 +146,7 @@ def test_the_road_is_found(tmp_path) -> None:
     ("lines", "options", "what"),
     [
         (["hello"], {}, "no points are in it"),
-        (["name,x [mm],y [mm],z [mm]", *rows(scale=1 / 0.0254)], {}, r"half a track.*Is the table in inch or cm\?"),
+        (["name,x [mm],y [mm],z [mm]", *rows(scale=1 / 0.0254)], {}, r"half track.*Is the table in inch or cm\?"),
         (rows(scale=100.0), {}, "unit is not in the file.*may be in inch or cm"),
         (rows(scale=1 / 0.0254), {}, "unit is not in the file.*may be in inch"),
         (rows(), {"unit": "kg"}, "wrong unit"),

@@ -226,7 +226,7 @@ def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
         (vsusp(**{"tires.diameter_expl": "wide"}), "a.txt", "not a number; found 'wide'"),
         (vsusp(**{"control_arms.upper_length": 60000}), "a.txt", "do not meet"),
         (explorer(units="furlongs"), "a.yaml", "unknown unit 'furlongs'"),
-        (explorer(units="inches"), "a.yaml", "half a track that no car has"),
+        (explorer(units="inches"), "a.yaml", "an implausible half track"),
         (explorer() + "\ntype: mcpherson\n", "a.yaml", "type is given twice"),
         ('{"unit": "mm", "unit": "m", "a": [1, 2, 3]}', "a.json", "unit is given twice"),
         ("a: {x: 1, y: 2}\n", "a.yaml", "no points are in it"),

@@ -130,7 +130,7 @@ def test_netcdf_3_variables_that_lie_over_each_other_are_refused(tmp_path: Path)
     place = content.index(struct.pack(">ii", 6, 8 * TIME.size), at) + 8  # behind kind and size: where it begins
     content[place : place + 4] = struct.pack(">i", struct.unpack(">i", content[place : place + 4])[0] - 8)
     file.write_bytes(content)
-    with pytest.raises(RecordingError, match=r"a\.nc: not a netCDF file, or damaged \(variables lie over each other\)"):
+    with pytest.raises(RecordingError, match=r"a\.nc: not a netCDF file, or damaged \(variables overlap\)"):
         read_recording(file)
 
 

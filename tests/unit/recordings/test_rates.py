@@ -217,7 +217,7 @@ def test_a_text_that_no_memory_holds_is_refused(tmp_path: Path, monkeypatch: pyt
     read_recording(tmp_path / "a.csv", columns=BOTH)
     monkeypatch.setattr(columns, "_MEMORY_A_BYTE", 1_000_000_000_000)
     if Path("/proc/meminfo").exists():
-        with pytest.raises(ResourceError, match=r"the file takes more memory than there is.*GB of text"):
+        with pytest.raises(ResourceError, match=r"the file needs more memory than is available.*GB of text"):
             read_recording(tmp_path / "a.csv", columns=BOTH)
 
 

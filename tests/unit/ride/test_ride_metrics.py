@@ -94,7 +94,7 @@ def test_what_settles_does_not_count_but_is_remembered() -> None:
 
 @pytest.mark.parametrize("settling", ["40 s", "41 s", "-1 s"])
 def test_nothing_left_is_an_error(settling: str) -> None:
-    with pytest.raises(jn.RecordingError, match="nothing is left of the record"):
+    with pytest.raises(jn.RecordingError, match="no part of the record remains"):
         ride_metrics(recorded(body__az=WAVE), settling=settling)
 
 

@@ -181,7 +181,7 @@ def test_roads_by_the_name_of_their_class() -> None:
         ({"class": "C"}, "length: the key is missing"),
         ({"class": "C", "length": 0}, "length: out of range"),
         ({"class": "C", "length": 100, "step": 0}, "step: out of range"),
-        ({"class": "C", "length": 100, "step": 60}, "hold no waves of 0.011 1/m and more"),
+        ({"class": "C", "length": 100, "step": 60}, "cannot represent waves of 0.011 1/m and more"),
         ({"class": "C", "length": 100, "run_in": 51}, r"two fades of 51 m do not fit into the length 100 m"),
         ({"class": "C", "length": 100, "band": [2, 1]}, "band: 1 1/m does not lie above 2 1/m"),
         ({"class": "C", "length": 100, "seed": -1}, "seed: "),
@@ -189,7 +189,7 @@ def test_roads_by_the_name_of_their_class() -> None:
         ({"class": "C", "length": 100, "side": "middle"}, "side: "),
         ({"class": "C", "length": 1e7, "step": 0.01}, "points; allowed: up to 20000000"),
         ({"class": "C", "length": 100, "waviness": 9}, "waviness: out of range"),
-        ({"class": "C", "length": 100, "recurrence": 50}, "comes again before it ends"),
+        ({"class": "C", "length": 100, "recurrence": 50}, "recurs before it ends"),
     ],
 )
 def test_refuses_rough_roads(fields, says) -> None:
@@ -310,7 +310,7 @@ def test_a_known_wave_has_its_power_in_the_spectrum() -> None:
 def test_limits_of_points_and_waves() -> None:
     """Two points a wave of the lowest frequency, 20 million points, a quarter of the shortest wave in a sum."""
     assert Iso8608(class_="C", length=100, step=45.0).step == 45.0  # 0.5 / 0.011 = 45.5
-    with pytest.raises(DescriptionError, match="points every 46 m hold no waves"):
+    with pytest.raises(DescriptionError, match="points every 46 m cannot represent waves"):
         Iso8608(class_="C", length=100, step=46.0)
     assert Iso8608(class_="C", length=2e5, step=0.01).length == 2e5
     with pytest.raises(DescriptionError, match="20000001 points; allowed: up to 20000000"):

@@ -147,7 +147,7 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
         (X[:2], Z[:2], "too few samples"),
         (1e3 * X, Z, "too far apart for the roughness index; found '250 m'"),
         (1e-3 * X, Z, "too short"),
-        (X, 1e3 * Z, "these heights are no road's"),
+        (X, 1e3 * Z, "these heights are implausible for a road"),
         (X, Z[:-1], "not two columns of the same length"),
     ],
 )

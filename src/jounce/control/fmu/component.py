@@ -199,7 +199,7 @@ class FmuComponent(Plain):
         where = str(self.path)
         if not self.can_step:
             raise DescriptionError(
-                "the FMU is for model exchange only: it needs an integrator, and brings none",
+                "the FMU is for model exchange only: it needs an integrator, and contains none",
                 where=where,
                 allowed="FMUs for co-simulation",
                 hint="Export it again for co-simulation.",

@@ -375,7 +375,7 @@ class _Connection:
             where = f"control: counts: {place.name}"
             count = to_si(self.law.counts[place.name], si, where=where)
             if not (math.isfinite(count) and count > 0.0 and math.isfinite(1.0 / count)):
-                raise DescriptionError("a count of no size", where=where, found=count, allowed=f"more than 0 {si}")
+                raise DescriptionError("a count without a size", where=where, found=count, allowed=f"more than 0 {si}")
             return 1.0 / count, 0.0
         if not variable.unit and si not in ("", "1"):
             note = finding("control.no_unit", f"{self.component.path}: {variable.name}", unit=si)

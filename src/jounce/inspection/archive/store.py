@@ -96,7 +96,9 @@ class Store:
                 return write()
             except IntegrityError:
                 continue
-        raise OutputError("the record could not be stored: others keep writing the same", where=self.location)
+        raise OutputError(
+            "the record could not be stored: other processes keep writing the same record", where=self.location
+        )
 
     def _accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         packed = {

@@ -229,7 +229,7 @@ class _Subsystem:
                 side = {"left/right": "left"}.get(symmetry, symmetry)
                 if side in ("left", "right") and place[1] * {"left": 1.0, "right": -1.0}[side] > 0.0:
                     raise DescriptionError(
-                        "left and right are exchanged: y points to the right",
+                        "left and right are swapped: y points to the right",
                         where=where,
                         found=f"{cells[0]} ({symmetry}) with y = {cells[3]}",
                         allowed="y below 0 for points of the left side",

@@ -145,7 +145,7 @@ class ChronoReading(Draft):
         moments, axes = np.linalg.eigh(tensor)
         if moments[0] <= 0.0:
             raise DescriptionError(
-                "an inertia that no body has: a principal moment is not above 0",
+                "an impossible inertia: a principal moment is not above 0",
                 where=where,
                 found=", ".join(f"{moment:.6g} kg m^2" for moment in moments),
             )

@@ -161,7 +161,7 @@ class ChronoFile:
             )
         if np.abs(numbers).max(initial=0.0) > LARGEST:
             raise DescriptionError(
-                "not a size that anything has",
+                "an impossible size",
                 where=where,
                 found=float(np.abs(numbers).max()),
                 allowed=f"sizes up to {LARGEST:g}",

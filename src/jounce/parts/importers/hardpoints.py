@@ -336,7 +336,7 @@ def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
     first = runs[0]
     if numeric[first + 3 : first + 4] == [True]:
         raise DescriptionError(
-            "more than three numbers behind each other",
+            "more than three numbers in a row",
             where=where,
             found=" ".join(cells)[:80],
             allowed="a name and three coordinates, or a header that names the columns x, y and z",
@@ -658,7 +658,7 @@ class PointReading:
         factor = conversion_factor(chosen, "m", where="unit")
         if not low <= half * factor <= high:
             raise DescriptionError(
-                "half a track that no car has",
+                "an implausible half track",
                 where=str(self.file),
                 found=f"a wheel centre {half:g} {chosen} = {half * factor:.4g} m from the middle of the car",
                 allowed=f"{low:g} m to {high:g} m",

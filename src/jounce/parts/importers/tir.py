@@ -116,7 +116,7 @@ class TyreProperties(Shown):
         factor = 1.0 + self.pressure_slope * (wanted - nominal) / nominal
         if factor <= 0.0:
             raise DescriptionError(
-                "no stiffness is left at this pressure",
+                "the stiffness is not positive at this pressure",
                 where=self.name,
                 found=f"{wanted:g} Pa",
                 allowed=f"above {nominal * (1.0 - 1.0 / self.pressure_slope):g} Pa",
@@ -329,7 +329,7 @@ class _Entries:
                 "the section [UNITS] is missing",
                 where=str(file),
                 allowed="[UNITS] with LENGTH, FORCE and TIME",
-                hint="Without it nobody can tell N/mm from N/m.",
+                hint="Without it N/mm and N/m cannot be told apart.",
             )
 
     def _keep(self, key: tuple[str, str], text: str, line: int) -> None:
