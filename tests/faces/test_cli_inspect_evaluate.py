@@ -102,8 +102,8 @@ def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: 
     assert "M-ÄÖ 12" in page  # the finding tells what the header said
     said = [one["message"] for one in plain["findings"] if one.get("code") == "overruled"]
     assert said == [
-        "the header gives date '2026-11-21'; '2026-11-22' was told instead and is used.",
-        "the header gives plate_number 'M-ÄÖ 12'; 'KE-AB 1' was told instead and is used.",
+        "the header gives date '2026-11-21'; '2026-11-22' was given instead and is used.",
+        "the header gives plate_number 'M-ÄÖ 12'; 'KE-AB 1' was given instead and is used.",
     ]
     assert Path("car.pdf").read_bytes().startswith(b"%PDF")
     (record,) = cli("inspect", "search", "--store", "lane.sqlite", "--plate", "KEAB1", "--json").json["records"]

@@ -123,7 +123,7 @@ def table_file(folder: Path, apart: float, count: int) -> None:
         (FULL, ("--duration", "0.1 s"), "trial: duration", "before the rear axle, 2.91 m behind"),
         (FULL, ("--output-step", "5 ms"), "trial: road", "its peaks are not seen"),
         (FULL, ("--pitch-moment", "100 N*m@9 s"), "trial: pitch_moment", "after the run of 0.5 s is over"),
-        (HALF, ("--road", "cleat.toml"), "trial: road", "dampers of massless axles pass that on"),
+        (HALF, ("--road", "cleat.toml"), "trial: road", "dampers of massless axles pass it on"),
     ],
 )
 def test_findings(cli, tmp_path: Path, car: str, words: tuple[str, ...], place: str, message: str) -> None:

@@ -520,7 +520,7 @@ class _AtWheel:
     lever: float
 
     def swing(self, damping: float) -> tuple[float, float]:
-        """Damping (N s/m) and stiffness (N/m) of one mass that moves like the body on a wheel damping (N s/m)."""
+        """Damping (N s/m) and stiffness (N/m) of a single mass equivalent to the body, for a wheel damping (N s/m)."""
         masses = self.sprung_mass, self.unsprung_mass
         poles = road_poles(LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
         upper = poles[poles.imag > 1e-6 * np.abs(poles)]

@@ -57,7 +57,7 @@ LOTUS_5 = "{x:.3f}\t{y:.3f}\t{z:.3f}\tPOINT:{number} {name}"
         (["name;x;y;z;what", *(line + ";by hand" for line in rows("{name};{x};{y};{z}"))], "names no unit: mm"),
         ([line.replace(".", ",") for line in rows("{name}; {x}; {y}; {z}")], "names no unit: mm"),
         (["units: m", *rows("{name} {x} {y} {z}", scale=1.0)], ""),
-        (["# Shark", "TYPE 1 Double wishbone", *rows(LOTUS_4, LOTUS, turn=(-1, 1, 1))], "x runs to the rear"),
+        (["# Shark", "TYPE 1 Double wishbone", *rows(LOTUS_4, LOTUS, turn=(-1, 1, 1))], "x points rearward"),
         (rows(LOTUS_5, LOTUS, turn=(-1, -1, 1)), "they are mirrored"),
         (["Name,X (in),Y (in),Z (in)", *rows("{name}_L,{x},{y},{z}", OPTIMUM, scale=1 / 0.0254)], ""),
         (rows("  {name}: [{x}, {y}, {z}]"), "names no unit: mm"),

@@ -37,7 +37,7 @@ def test_a_run_that_ends_before_the_obstacle_begins() -> None:
 def test_a_road_that_ends_before_the_run_does() -> None:
     assert said(Trial(road=FINE, speed=4.0, duration=1.0)) == []
     ((_, text),) = said(Trial(road=FINE, speed=4.0, duration=1.01))
-    assert text == "the road ends after 4 m and the run drives 4.04 m; the rest of it is level. Shorten the run."
+    assert text == "the road ends after 4 m and the run drives 4.04 m; the remainder is level. Shorten the run."
     assert said(Trial(road=FINE.model_copy(update={"recurrence": 5.0}), speed=4.0, duration=9.0)) == []
 
 
@@ -73,7 +73,7 @@ def test_loads_that_set_in_too_late() -> None:
     assert said(Trial(**calm, deceleration={"value": 3.0, "start": 1.99})) == []
     assert said(Trial(**calm, deceleration={"value": 0.0, "start": 3.0})) == []
     ((place, text),) = said(Trial(**calm, deceleration={"value": 3.0, "start": 2.5}))
-    assert (place, text) == ("trial: deceleration", "it sets in after the run of 2 s is over.")
+    assert (place, text) == ("trial: deceleration", "it starts after the end of the run of 2 s.")
     assert said(Trial(**calm, pitch_moment={"time": [0.5, 1.0, 1.5], "values": [0.0, 5.0, 0.0]})) == []
     assert len(said(Trial(**calm, pitch_moment={"time": [2.5, 3.0], "values": [0.0, 5.0]}))) == 1
 
