@@ -222,3 +222,22 @@ def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(fo
     (named,) = [item for item in result.findings if "exchanged" in item.code]
     assert (named.code, named.place) == ("campaign.better_exchanged", "trials 14 and 16")
     assert min(named.numbers["first"], named.numbers["second"]) > 0.9
+
+
+def test_a_belt_that_nobody_measured_is_measured_by_its_pulses(
+    lab: laboratory.Laboratory, folder: Path, tmp_path: Path
+) -> None:
+    place = tmp_path / "raw"
+    shutil.copytree(folder, place)
+    settings = place / "settings.toml"
+    text = settings.read_text(encoding="utf-8")
+    assert 'length = "1.97 m", ' in text
+    settings.write_text(text.replace('length = "1.97 m", ', ""), encoding="utf-8")
+    for file in place.glob("P*.csv"):
+        if file.stem[-2:] not in ("01", "02", "03"):
+            file.unlink()
+    made = jn.campaign_from_folder(tmp_path / "campaign", place)
+    runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
+    (found,) = [item for item in runner.findings if item.code == "campaign.belt_length_found"]
+    assert found.value == pytest.approx(1.97 / (1.0 - lab.belt.slip), rel=3e-3)  # by pulses: slip counts in it
+    assert all(item.trial.road.recurrence == found.value for item in runner.loaded.values())

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
-from statistics import median
+from itertools import combinations, pairwise
+from statistics import median, stdev
 from typing import Annotated, Literal
 
 import xarray as xr
@@ -43,8 +43,9 @@ class Belt(Description):
 
     Attributes
     ----------
-    length : float
-        Length of the loop, m: the obstacle comes again each time it has been driven.
+    length : float or None
+        Length of the loop, m: the obstacle comes again each time it has been driven. Where nobody measured it, it
+        follows from the speeds of the trials and the time between passages; slip then counts in it.
     radius : float or None
         Radius of the cylinder that carries the marks, m.
     thickness : float
@@ -62,7 +63,7 @@ class Belt(Description):
     0.0515
     """
 
-    length: PositiveLength
+    length: PositiveLength | None = None
     radius: PositiveLength | None = None
     thickness: NonNegativeLength = 0.0
     pulses: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
@@ -128,10 +129,33 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
     >>> with_recurrence(HalfSine(height="10 mm", length="60 mm"), Belt(length="1.97 m")).recurrence
     1.97
     """
-    if belt is None or road.recurrence is not None or road.is_course():
+    if belt is None or belt.length is None or road.recurrence is not None or road.is_course():
         return road
     return road.changed(recurrence=belt.length)
 
+
+def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, float] | None:
+    """Length of a belt (m) from instants at which an obstacle was met (s) and the speed (m/s) of each trial.
+
+    Gives the median of the trials and their standard deviation; None where fewer than two meet it twice.
+
+    >>> loop_length([([0.2, 1.2, 2.2], 1.97), ([1.0, 0.5, 2.0], 3.94)])
+    (1.97, 0.0)
+    """
+    lengths = []
+    for instants, speed in met:
+        gaps = [later - sooner for sooner, later in pairwise(sorted(instants))]
+        if gaps:
+            usual = median(gaps)
+            usual = min(gaps) if usual > 1.5 * min(gaps) else usual  # a passage between was not recognised
+            lengths.append(speed * sum(gaps) / sum(round(gap / usual) for gap in gaps))
+    if len(lengths) < _FEWEST_LENGTHS:
+        return None
+    return median(lengths), stdev(lengths)
+
+
+_FEWEST_LENGTHS = 2
+"""Trials whose lengths must agree: one alone shows no scatter."""
 
 Placed = tuple[FitTrial, TrialOnBelt | None, Sequence[Finding]]
 """A trial that meets its obstacle when the record does, what was found of belt and passages, and what is doubtful."""

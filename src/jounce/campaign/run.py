@@ -15,9 +15,11 @@ import xarray as xr
 from jounce.campaign.belt import (
     PULSES,
     SPEED_CODES,
+    Belt,
     TrialOnBelt,
     common_speed_errors,
     exchanged,
+    loop_length,
     placed,
     with_recurrence,
 )
@@ -45,7 +47,7 @@ from jounce.design.model_comparison import ModelComparison, PeakDifference, comp
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
 from jounce.identify.extended_rig import own_doubt
 from jounce.identify.fit_problem import FitTrial, check_free
-from jounce.identify.passages import ObstacleNotFoundError, Sought
+from jounce.identify.passages import ObstacleNotFoundError, Sought, find_passages
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, run_update
@@ -400,6 +402,8 @@ class Runner:
 
     def place_trials(self, knowledge: Knowledge) -> None:
         """Find when each record meets its obstacle, and align the model with it; see `jounce.campaign.belt`."""
+        if self.campaign.belt is not None and self.campaign.belt.length is None:
+            self._measure_belt(knowledge)
         self.as_read = dict(self.loaded)
         for number, item in list(self.loaded.items()):
             if item.entry.road is None:
@@ -430,7 +434,7 @@ class Runner:
                 item if item.place.startswith(name) else at_place(f"{name}: {item.place}", item) for item in findings
             ]
         on_belt = {number: item.facts for number, item in self.loaded.items() if item.facts}
-        if self.campaign.belt is not None:
+        if self.campaign.belt is not None and self.campaign.belt.length is not None:
             common, is_in_doubt = common_speed_errors(on_belt, self.campaign.belt.length)
             if common:  # said once, and not of every trial again
                 self.findings[:] = [item for item in self.findings if item.code not in SPEED_CODES] + common
@@ -438,6 +442,29 @@ class Runner:
                 self.loaded.clear()
                 return
         self.findings += exchanged(on_belt)
+
+    def _measure_belt(self, knowledge: Knowledge) -> None:
+        """Find the length of a belt that nobody measured from speeds and passages, and give it to all roads."""
+        met = []
+        for item in self.loaded.values():
+            road, speed = item.trial.road, item.trial.speed
+            if road is None or speed is None or road.is_course():
+                continue
+            trial = self.fit_trial(item, knowledge)
+            with suppress(JounceError):  # said where the trial is placed
+                passages = find_passages(item.measured, trial.rig, road, speed, sensors=trial.sensors, name=trial.name)
+                met.append(((*passages.times, *passages.again), item.pulses.mean if item.pulses else speed))
+        measured = loop_length(met)
+        if measured is None:
+            self.findings.append(finding("campaign.belt_length_unknown", "belt"))
+            return
+        length, scatter = measured
+        numbers = {"length": length, "scatter": scatter, "count": len(met)}
+        self.findings.append(finding("campaign.belt_length_found", "belt", length, **numbers))
+        for number, item in self.loaded.items():
+            if item.trial.road is not None:
+                road = with_recurrence(item.trial.road, Belt(length=length))
+                self.loaded[number] = replace(item, trial=item.trial.changed(road=road))
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""

@@ -61,6 +61,8 @@ class Passages(Shown):
         Speed of the belt, m/s: its length over the time between passages; as stated where there is only one.
     period : float or None
         Mean time between passages, s; None for a single one.
+    again : tuple of float
+        Instants (s) at which an obstacle is met once more whose road does not come again.
     loop : xarray.Dataset or None
         Average of the loops, in SI on ``time`` (s), which counts from ``LEAD`` of a loop before the obstacle.
     scatter : xarray.Dataset or None
@@ -85,6 +87,7 @@ class Passages(Shown):
     repeatability: dict[str, float] = field(default_factory=dict)
     noise: dict[str, float] = field(default_factory=dict)
     odd: tuple[int, ...] = ()
+    again: tuple[float, ...] = ()
     findings: tuple[Finding, ...] = ()
 
 
@@ -207,12 +210,13 @@ def find_passages(
     values = tuple(float(onset[i]) for i in at)
     findings = _sign_findings(sign * signs, names, name)
     if road.recurrence is None:
-        again = _met_again(onset, like * sign * power, int(at[0]), expected.length)
-        if len(again):
-            later = time[0] + step * (again - ahead) + expected.lead
-            listed = ", ".join(f"{instant:.3g} s" for instant in sorted([*later, times[0]]))
-            findings.append(finding("identify.met_again", name, float(len(later) + 1), times=listed))
-    elif len(times) > 2:
+        others = _met_again(onset, like * sign * power, int(at[0]), expected.length)
+        again = (time[0] + step * (others - ahead + _fractions(onset, others)) + expected.lead).tolist()
+        if again:
+            listed = ", ".join(f"{instant:.3g} s" for instant in sorted([*again, times[0]]))
+            findings.append(finding("identify.met_again", name, float(len(again) + 1), times=listed))
+        return Passages((float(times[0]),), values, velocity, again=tuple(again), findings=tuple(findings))
+    if len(times) > 2:
         behind = _another_obstacle(onset, power, at, expected, names) * step * velocity
         if behind > 0.0:
             raise FitError(
@@ -222,7 +226,7 @@ def find_passages(
                 allowed=_describe(road),
                 hint="Describe all of them, as a train or a profile of the whole loop, or take the other one off.",
             )
-    if road.recurrence is None or len(times) < 2:
+    if len(times) < 2:
         return Passages(tuple(map(float, times)), values, velocity, findings=tuple(findings))
     return _average_loops(data, names, times, values, road.recurrence, velocity, findings, name)
 
@@ -503,5 +507,5 @@ def _average_loops(
         repeat,
         dict(zip(names, noise_of_average(loops[chosen]), strict=True)),
         odd,
-        tuple(findings),
+        findings=tuple(findings),
     )

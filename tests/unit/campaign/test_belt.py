@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from jounce.campaign.belt import TrialOnBelt, common_speed_errors, exchanged
+from jounce.campaign.belt import TrialOnBelt, common_speed_errors, exchanged, loop_length
 from jounce.identify.passages import Passages
 
 SPEEDS = {1: 1.95, 2: 2.86, 3: 3.79, 4: 2.03}
@@ -55,3 +55,11 @@ def test_records_exchanged_by_their_speeds(first: tuple[float, float], second: t
 
 def test_speeds_noted_badly_are_not_exchanged() -> None:
     assert exchanged({1: facts(1.99, 1.95), 2: facts(2.00, 2.04), 3: facts(1.951, 1.95), 4: facts(1.921, 1.92)}) == []
+
+
+def test_the_length_of_a_belt_follows_from_speeds_and_passages() -> None:
+    met = [([0.3 + k * 1.97 / speed for k in range(5) if k != 2], speed) for speed in (1.95, 2.86, 3.79)]
+    length, scatter = loop_length(met)
+    assert length == pytest.approx(1.97)
+    assert scatter < 1e-9
+    assert loop_length([([0.3], 1.95), ([0.1, 1.1], 1.97)]) is None
