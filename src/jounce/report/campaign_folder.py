@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from jounce.core.errors import unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
@@ -22,9 +22,9 @@ FigureForm = Literal["svg", "png", "paper"]
 TableForm = Literal["csv", "xlsx"]
 ReportForm = Literal["html", "pdf"]
 _FORMS: Mapping[str, tuple[str, ...]] = {
-    "figures": ("svg", "png", "paper"),
-    "tables": ("csv", "xlsx"),
-    "reports": ("html", "pdf"),
+    "figures": get_args(FigureForm),
+    "tables": get_args(TableForm),
+    "reports": get_args(ReportForm),
 }
 FIGURES = Texts(
     "Also write every figure of the report as SVG or PNG into the folder figures; paper: those of the quarter-car "
