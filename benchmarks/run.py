@@ -12,6 +12,7 @@ import numpy as np
 from exchange_rows import exchange_rows
 from inspection_rows import inspection_rows
 from kinematic_design import kinematic_design_rows
+from laboratory_rows import laboratory_rows
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
@@ -122,6 +123,7 @@ PARTS = (
     variant_rows,
     scale_rows,
     update_rows,
+    laboratory_rows,
     start_rows,
     report_rows,
 )
