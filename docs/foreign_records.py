@@ -170,7 +170,7 @@ def dampers() -> Iterator[Record]:
         x = low_pass(x, 500.0, corner * frequency, order) if which != "force" else x
         f = low_pass(f, 500.0, corner * frequency, order) if which != "stroke" else f
         name = f"{which} low pass of order {order} at {corner:g} times {frequency:g} Hz"
-        yield record("filter", name, t, x, f, "low pass|hysteresis|behind")
+        yield record("filter", name, t, x, f, "low.pass|hysteresis|behind")
     for seconds, times, which, kind in itertools.product((0.02, 0.1, 0.4), (1, 5), ("force", "all"), ("zero", "held")):
         t, x, f = run_of_dyno()
         marks = lost(len(t), 500.0, seconds, times)
@@ -502,7 +502,7 @@ def decays() -> Iterator[Record]:
         run = swing(500.0, friction=friction)
         signal = low_pass(run[kind], 500.0, corner, order)
         name = f"{kind} low pass of order {order} at {corner:g} Hz, friction {friction:g}"
-        yield record("filter", name, run["t"], signal, kind, "low pass|explains only", friction=friction)
+        yield record("filter", name, run["t"], signal, kind, "low.pass|explains only", friction=friction)
     for kind, corner, order, friction in itertools.product(UNITS, (0.1, 0.5, 2.0), (1, 2), (0.0, 8.0)):
         run = swing(500.0, friction=friction)
         signal = high_pass(run[kind], 500.0, corner, order)
@@ -658,7 +658,7 @@ def rotations() -> Iterator[Record]:
         for corner, order in itertools.product((4.0, 15.0), (1, 2)):
             behind = low_pass(signal, 500.0, corner, order)
             name = f"low pass of order {order} at {corner:g} Hz, {more}"
-            yield record("filter", name, t, behind, kind, "low pass|explains only", friction)
+            yield record("filter", name, t, behind, kind, "low.pass|explains only", friction)
         for size in (0.002, 0.05, 0.2):
             yield record("steps", f"{size:g}, {more}", t, steps_of(signal, size * reach), kind, "steps of", friction)
         for limit in (0.8, 0.4):

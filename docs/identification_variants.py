@@ -104,7 +104,7 @@ def datums() -> Iterator[Outcome]:
         update = jn.update_model([jn.FitTrial("one", rig, trial, measured)], free)
         values = truth.parameters()
         right = all(_close(one.value, values[path], 1e-3) for path, one in update.parameters.items())
-        yield right, _is_loud(update.findings, "sign is turned")
+        yield right, _is_loud(update.findings, "sign is reversed")
 
 
 def _fit_damper(file: Path, **choice: Any) -> tuple[dict[str, Any], list[Any]]:

@@ -113,7 +113,7 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     outcome = cli("import", "hardpoints", "points.csv", "--name", "Hub=wheel_centre", "--out", "rig.toml")
     assert outcome.exit_code == 0
     assert "rig.toml: mcpherson, hardpoints of points.csv" in outcome.out
-    assert "the wheel's radius is taken for 226 mm" in outcome.out
+    assert "the wheel's radius is assumed to be 226 mm" in outcome.out
     assert jn.load(tmp_path / "rig.toml").hardpoints.strut_bottom == pytest.approx((0.0, 0.54, 0.33))
     checked = cli("check", "rig.toml")
     assert checked.exit_code == 0, "a rig for kinematics is whole as it is"

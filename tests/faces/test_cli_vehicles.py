@@ -122,7 +122,7 @@ def table_file(folder: Path, apart: float, count: int) -> None:
         (FULL, ("--duration", "0.01 s"), "trial: road", "before the obstacle begins"),
         (FULL, ("--duration", "0.1 s"), "trial: duration", "before the rear axle, 2.91 m behind"),
         (FULL, ("--output-step", "5 ms"), "trial: road", "its peaks are not seen"),
-        (FULL, ("--pitch-moment", "100 N*m@9 s"), "trial: pitch_moment", "after the run of 0.5 s is over"),
+        (FULL, ("--pitch-moment", "100 N*m@9 s"), "trial: pitch_moment", "after the end of the run of 0.5 s"),
         (HALF, ("--road", "cleat.toml"), "trial: road", "dampers of massless axles pass it on"),
     ],
 )

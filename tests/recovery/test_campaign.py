@@ -248,7 +248,7 @@ def test_speed_of_the_campaign_and_truth_differ_within_rounding(result):
 def test_intervals_with_model_error_stand_beside_those_of_the_noise(result):
     for name in ("strategy 1", "strategy 2", "strategy 3"):  # one trial each
         assert update(result, name).discrepancy is None
-        assert any("that takes 3 trials, fitted: 1" in finding.message for finding in update(result, name).findings)
+        assert any("it takes 3 fitted trials (here 1)" in finding.message for finding in update(result, name).findings)
     found = update(result, "strategy 4")
     truth = next(strategy.truth for strategy in result.strategies if strategy.update is found)
     assert truth["strut.spring.rate"] == SPRING_RATE

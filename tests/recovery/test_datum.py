@@ -142,6 +142,7 @@ def test_noise_at_the_start_is_no_offset():
 def test_a_turned_channel_is_named(channel):
     for align in (None, "lag"):
         right = jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded([channel], "rest"))], FREE, align=align)
-        assert not [f for f in right.findings if "turned" in f.message]
+        assert not [f for f in right.findings if f.code == "identify.channel_turned"]
     turned = jn.update_model([jn.FitTrial("one", RIG, TRIAL, -recorded([channel], "rest"))], FREE)
-    assert [(f.place, f.severity) for f in turned.findings if "turned" in f.message] == [(channel, "warning")]
+    (named,) = [f for f in turned.findings if f.code == "identify.channel_turned"]
+    assert (named.place, named.severity) == (channel, "warning")

@@ -136,7 +136,7 @@ def test_a_number_at_its_edge_and_searches_that_did_not_settle_are_told(monkeypa
     assert not findings("20 mm", tolerance="0.01 deg")
     assert "edge of its box" in findings("14.3 mm", tolerance="0.01 deg")["hardpoints.link_5_inner[2]"]
     monkeypatch.setattr("jounce.design.hardpoint_search._STEPS", 2)
-    assert findings("20 mm", tolerance="0.1 deg")["starts"].startswith("2 of 2 ended before they came to rest")
+    assert findings("20 mm", tolerance="0.1 deg")["starts"].startswith("2 of 2 stopped before they converged")
 
 
 def test_a_point_on_a_line_and_points_tied_together() -> None:

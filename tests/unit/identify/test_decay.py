@@ -425,7 +425,7 @@ def test_what_holds_no_decay_is_not_searched():
         (np.ones(200), start),
         (record()[200:400], np.where(np.arange(6) == 2, np.nan, start)),
     ):
-        with pytest.raises(FitError, match=f"holds no free decay that can be fitted; found '{len(signal)} samples"):
+        with pytest.raises(FitError, match=f"contains no free decay that can be fitted; found '{len(signal)} samples"):
             _fit(TIME[: len(signal)], signal, [begin], "displacement")
 
 

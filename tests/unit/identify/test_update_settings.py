@@ -45,7 +45,7 @@ def test_recordings_that_cannot_be_compared_are_refused(trials):
     obstacle = (0.1 + 0.06) / 1.95
     for changed, message in (
         (measured.sel(time=slice(None, obstacle - 2e-3)), r"one: the recording ends before the obstacle pass does"),
-        (measured.rename({"sprung.az": "a.az", "unsprung.az": "b.az"}), r"one: the recording holds no channel that"),
+        (measured.rename({"sprung.az": "a.az", "unsprung.az": "b.az"}), r"the recording contains no channel of"),
         (measured.isel(time=slice(-2, None)), r"fewer data than parameters; found '4 samples'; allowed: at least 5"),
     ):
         more = {"align": "lag"} if "fewer" in message else {}
@@ -132,7 +132,7 @@ def test_a_delay_that_was_not_asked_for_is_told(passed: tuple[jn.Rig, jn.Trial, 
 
 def test_copies_of_a_record_are_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
     found = updated(passed, passed[2], passed[2].copy(deep=True))
-    assert "trial 2: the same numbers as trial 1: a copy is no repetition" in told(found)
+    assert "trial 2: the same numbers as trial 1: a copy is not a repetition" in told(found)
 
 
 def test_what_is_no_recording_is_refused_by_what_is_wrong(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:

@@ -97,7 +97,7 @@ def test_reads_a_file_in_any_unit_and_order(tmp_path) -> None:
         (
             "x [m],z [m]\n0,0\n1,-9999\n2,0\n",
             RecordingError,
-            "height jumps from row 1 to row 2.*-9999 m'. Fill the gap",
+            "height jumps implausibly from row 1 to row 2.*-9999 m'. Fill the gap",
         ),
         ("x [m],z [m]\n0,0\n1,\n", RecordingError, r"profile\.csv, line 3: column 'z \[m\]': the cell is blank"),
     ],

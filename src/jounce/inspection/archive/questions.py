@@ -158,7 +158,7 @@ def _summary(record: StoredRecord) -> dict[str, Any]:
     "inspect search",
     arguments=0,
     page="jounce.report.stores:found_records_page",
-    title="{store}",
+    title="{result.store}",
     doing="reading the store",
     example="jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01",
 )
@@ -253,7 +253,7 @@ class ExportedRecords(Plain):
     "inspect export",
     arguments=0,
     page="jounce.report.stores:exported_records_page",
-    title="{store}",
+    title="{result.store}",
     doing="reading the store",
     example="jounce inspect export --store lane.sqlite --out lane.parquet --since 2026-01-01",
 )
@@ -333,7 +333,7 @@ class VerifiedStore(Plain):
     "inspect verify",
     arguments=0,
     page="jounce.report.stores:verified_store_page",
-    title="{store}",
+    title="{result.store}",
     doing="reading the store",
     example="jounce inspect verify --store lane.sqlite",
 )
@@ -399,7 +399,7 @@ class ReevaluatedStore(Shown):
     "inspect reevaluate",
     arguments=0,
     page="jounce.report.stores:reevaluated_store_page",
-    title="{store}",
+    title="{result.store}",
     doing="evaluating",
     example="jounce inspect reevaluate --store lane.sqlite --limits stricter.toml",
 )
