@@ -43,6 +43,7 @@ SUBJECTS = {
     "notebook": "Notebooks",
     "web": "The workbench",
     "papers": "Both papers",
+    "operations": "Checks of files",
     "core": "Units, errors, findings",
 }
 

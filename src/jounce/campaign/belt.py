@@ -146,9 +146,8 @@ def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, fl
     for instants, speed in met:
         gaps = [later - sooner for sooner, later in pairwise(sorted(instants))]
         if gaps:
-            usual = median(gaps)
-            usual = min(gaps) if usual > 1.5 * min(gaps) else usual  # a passage between was not recognised
-            lengths.append(speed * sum(gaps) / sum(round(gap / usual) for gap in gaps))
+            loops = sum(round(gap / min(gaps)) for gap in gaps)  # a passage between may not have been recognised
+            lengths.append(speed * sum(gaps) / loops)
     if len(lengths) < _FEWEST_LENGTHS:
         return None
     return median(lengths), stdev(lengths)

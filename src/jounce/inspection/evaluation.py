@@ -89,13 +89,13 @@ def evaluate(
 
     Examples
     --------
-    >>> from jounce.inspection.quarter_car import Corner, force_response
+    >>> from jounce.inspection.quarter_car import LinearQuarterCar, force_response
     >>> from jounce.recordings import recording
     >>> t = np.arange(12000) / 1000.0
     >>> f = np.clip(25.0 - 2.5 * (t - 1.5), 0.1, 25.0)  # slow enough to be steady at every instant
     >>> angle = 2 * np.pi * np.cumsum(f) / 1000.0
     >>> z = 3e-3 * np.sin(angle)
-    >>> gain = force_response(Corner(400.0, 40.0, 25e3, 1500.0, 200e3), f)
+    >>> gain = force_response(LinearQuarterCar(400.0, 40.0, 25e3, 1500.0, 200e3), f)
     >>> force = 4316.4 + 3e-3 * (gain.real * np.sin(angle) + gain.imag * np.cos(angle))
     >>> channels = {"left.plate.z": (z, "m", ""), "left.plate.force": (force, "N", "")}
     >>> found = evaluate(recording(t, channels, attributes={"left.static_load": 4316.4})).wheel("left")

@@ -16,6 +16,7 @@ from jounce.core.datasets import dataset
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import Length, Mass, Unit, bare_si, to_si
@@ -86,10 +87,10 @@ def refuse_metres(values: Array, where: str, unit: str, text: object = None) -> 
     far = float(np.max(np.abs(values), initial=0.0))
     if unit == "m" and far >= _FARTHEST:
         raise DescriptionError(
-            f"{far:g} m of travel; a bare number is in metres",
+            Phrase("{far} m of travel; a bare number is in metres", far=f"{far:g}"),
             where=where,
             found=text if text is not None else f"{far:g} m",
-            allowed=f"below {_FARTHEST:g} m",
+            allowed=Phrase("below {most} m", most=f"{_FARTHEST:g}"),
             hint='Millimetres meant? Write "-20 mm:20 mm:2 mm".',
         )
 
