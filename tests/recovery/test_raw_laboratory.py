@@ -140,16 +140,26 @@ def test_other_files_go_on_without_one(folder: Path, tmp_path: Path) -> None:
     assert left_out == {"notes.docx", "empty.csv"}
 
 
-def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
-    place = tmp_path / "raw"
+def copy_with_trials(folder: Path, place: Path, numbers: tuple[int, ...]) -> Path:
+    """Copy a laboratory's folder with the records of some trials only."""
     shutil.copytree(folder, place)
-    first, second = next(place.glob("*_01.csv")), next(place.glob("*_02.csv"))
+    for file in place.glob("P*.csv"):
+        if int(file.stem[-2:]) not in numbers:
+            file.unlink()
+    return place
+
+
+def exchange(place: Path, *numbers: int) -> None:
+    """Let the records of two trials change their names."""
+    first, second = (next(place.glob(f"*_{number:02d}.csv")) for number in numbers)
     first.rename(place / "swap")
     second.rename(first)
     (place / "swap").rename(second)
-    for file in place.glob("P*.csv"):
-        if file not in (first, second) and not file.stem.endswith("_03"):
-            file.unlink()
+
+
+def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
+    place = copy_with_trials(folder, tmp_path / "raw", (1, 2, 3))
+    exchange(place, 1, 2)
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
     runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
     (named,) = [item for item in runner.findings if item.code == "campaign.trials_exchanged"]
@@ -159,11 +169,8 @@ def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def spoiled(lab: laboratory.Laboratory, folder: Path, tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
     """Three trials: one whose record holds noise only, one cut to less than a loop, one as it was."""
-    place = tmp_path_factory.mktemp("spoiled") / "raw"
-    shutil.copytree(folder, place)
-    records = {number: next(place.glob(f"*_{number:02d}.csv")) for number in range(1, 17)}
-    for number in range(4, 17):
-        records[number].unlink()
+    place = copy_with_trials(folder, tmp_path_factory.mktemp("spoiled") / "raw", (1, 2, 3))
+    records = {number: next(place.glob(f"*_{number:02d}.csv")) for number in (1, 2)}
     first, second = laboratory.passages(lab, 1)[:2]
     texts = {number: records[number].read_text(encoding="utf-8") for number in (1, 2)}
     records[1].write_text(_noise(texts[1]), encoding="utf-8")
@@ -208,15 +215,8 @@ def test_a_record_of_less_than_a_loop_is_compared_on_a_running_belt(spoiled: Cam
 
 
 def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(folder: Path, tmp_path: Path) -> None:
-    place = tmp_path / "raw"
-    shutil.copytree(folder, place)
-    first, second = next(place.glob("*_14.csv")), next(place.glob("*_16.csv"))
-    first.rename(place / "swap")
-    second.rename(first)
-    (place / "swap").rename(second)
-    for file in place.glob("P*.csv"):
-        if file not in (first, second) and file.stem[-2:] not in ("01", "02", "03"):
-            file.unlink()
+    place = copy_with_trials(folder, tmp_path / "raw", (1, 2, 3, 14, 16))
+    exchange(place, 14, 16)
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
     result = jn.run_campaign(made.campaign)
     (named,) = [item for item in result.findings if "exchanged" in item.code]
@@ -227,15 +227,11 @@ def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(fo
 def test_a_belt_that_nobody_measured_is_measured_by_its_pulses(
     lab: laboratory.Laboratory, folder: Path, tmp_path: Path
 ) -> None:
-    place = tmp_path / "raw"
-    shutil.copytree(folder, place)
+    place = copy_with_trials(folder, tmp_path / "raw", (1, 2, 3))
     settings = place / "settings.toml"
     text = settings.read_text(encoding="utf-8")
     assert 'length = "1.97 m", ' in text
     settings.write_text(text.replace('length = "1.97 m", ', ""), encoding="utf-8")
-    for file in place.glob("P*.csv"):
-        if file.stem[-2:] not in ("01", "02", "03"):
-            file.unlink()
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
     runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
     (found,) = [item for item in runner.findings if item.code == "campaign.belt_length_found"]

@@ -182,19 +182,15 @@ def find_passages(
         )
     recorded = np.stack([data[c].to_numpy() for c in names])
     ahead = round(expected.lead / step)
+    signs = _signs(recorded, expected.window(names, expected.length), ahead)
+    recorded = signs[:, None] * recorded  # channels of opposite signs hide each other
     like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
     at, sign = _peaks(like, power, step, expected.period)
-    signs = np.ones(len(names))
-    if not len(at):  # channels of opposite signs hide each other
-        signs = _signs(recorded, expected.window(names, expected.length), ahead)
-        recorded = signs[:, None] * recorded
-        like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
-        at, sign = _peaks(like, power, step, expected.period)
     if not len(at):
         error = ObstacleNotFoundError(
             "the obstacle is not found in the record",
             where=name,
-            found=f"at best a correlation of {float(np.max(sign * like)):.2f}, and little of the motion there",
+            found=f"at best a correlation of {sign * like[np.argmax(sign * like * power)]:.2f}",
             allowed=f"{_LIKE:g} or more with the model's response to {_describe(road)} at {velocity:.3g} m/s "
             f"in {', '.join(names)}",
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
@@ -450,10 +446,13 @@ def _fractions(like: Array, at: np.ndarray) -> Array:
 
 
 def _signs(recorded: Array, window: Array, ahead: int) -> Array:
-    """Sign of each channel where all of them together, each by its size, are most like the model's response."""
+    """Sign of each channel where all of them together, each by its size, are most like the model's response.
+
+    A channel is reversed only where it clearly is the response upside down: one that shows little keeps its sign.
+    """
     each = [_likeness(row[None, :], wanted[None, :], ahead) for row, wanted in zip(recorded, window, strict=True)]
     best = int(np.argmax(sum(np.abs(like) * power**2 for like, power in each)))
-    return np.array([-1.0 if like[best] < 0.0 else 1.0 for like, _ in each])
+    return np.array([-1.0 if like[best] < -_LIKE else 1.0 for like, _ in each])
 
 
 def _sign_findings(signs: Array, names: Sequence[str], where: str) -> list[Finding]:
