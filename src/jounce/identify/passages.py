@@ -187,15 +187,16 @@ def find_passages(
     like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
     at, sign = _peaks(like, power, step, expected.period)
     if not len(at):
+        best = int(np.argmax(sign * like * power))
         error = ObstacleNotFoundError(
             "the obstacle is not found in the record",
             where=name,
-            found=f"at best a correlation of {sign * like[np.argmax(sign * like * power)]:.2f}",
+            found=f"at best a correlation of {sign * like[best]:.2f}",
             allowed=f"{_LIKE:g} or more with the model's response to {_describe(road)} at {velocity:.3g} m/s "
             f"in {', '.join(names)}",
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
         )
-        error.sought = _sought(data, names, signs, expected, like, step)
+        error.sought = _sought(data, names, sign * signs, expected, best, step, float(sign * like[best]))
         raise error
     onset = sign * _likeness(recorded, expected.window(names, expected.onset), ahead)[0]
     samples = None if expected.period is None else expected.period / step
@@ -341,11 +342,9 @@ _SHARE = 0.6
 
 
 def _sought(
-    data: xr.Dataset, names: Sequence[str], signs: Array, expected: _Expected, like: Array, step: float
+    data: xr.Dataset, names: Sequence[str], signs: Array, expected: _Expected, best: int, step: float, likeness: float
 ) -> Sought:
     """The model's response where the record is most like it, each channel about its mean and with the likelier sign."""
-    best = int(np.argmax(np.abs(like)))
-    signs = signs * (1.0 if like[best] > 0.0 else -1.0)
     begin = float(data["time"][0]) + best * step - expected.lead
     count = expected.length
     channels = {}
@@ -354,7 +353,7 @@ def _sought(
         middle = float(data[name].mean()) - float(values.mean())
         channels[name] = values + middle, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", ""))
     clock = begin + step * np.arange(count)
-    return Sought(data[list(names)], recording_of(clock, channels, attributes={}), float(np.abs(like[best])))
+    return Sought(data[list(names)], recording_of(clock, channels, attributes={}), likeness)
 
 
 def _met_again(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
