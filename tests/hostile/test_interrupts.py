@@ -108,6 +108,31 @@ def _is_empty(group):
     return False
 
 
+HEARD_BY_ANOTHER = """
+import signal, threading
+from jounce.core.processes import starting_workers
+signal.signal(signal.SIGINT, signal.default_int_handler)
+def hear():
+    signal.pthread_sigmask(signal.SIG_SETMASK, [])
+    signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+started = []
+try:
+    with starting_workers():
+        thread = threading.Thread(target=hear)
+        thread.start()
+        thread.join()
+        started.append(1)
+except KeyboardInterrupt:
+    print("interrupted", len(started))
+"""
+
+
+def test_workers_are_started_whole_whoever_hears_the_signal():
+    """The kernel may give it to another thread, which blocks nothing: the first message to a worker was cut off."""
+    ended = subprocess.run([sys.executable, "-c", HEARD_BY_ANOTHER], capture_output=True, text=True, check=True)
+    assert (ended.stdout, ended.stderr) == ("interrupted 1\n", "")
+
+
 COUNTED = """
 import os, signal, time
 from multiprocessing import get_context, resource_tracker

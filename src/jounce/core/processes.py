@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from types import FrameType
 
 from jounce.core.errors import NO_THREAD, JounceError
+from jounce.core.interrupts import interrupt_after
 
 
 def refusal() -> JounceError | None:
@@ -54,21 +55,28 @@ def starting_workers() -> Iterator[None]:
 
     The workers never hear Ctrl-C or a closed terminal, not even while they load: the first process tells them when to
     stop. Nor does the process in which Python counts semaphores, whose successor would print a traceback.
+
+    This process is interrupted when the block ends: another thread may receive the signal that this one blocks, and a
+    worker whose parent stops before it has sent the first message would print a traceback.
     """
-    block = getattr(signal, "pthread_sigmask", None)
-    before = block(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP}) if block else None
-    try:
-        yield
-    except (OSError, RuntimeError) as error:
-        if isinstance(error, RuntimeError) and str(error) != NO_THREAD:
-            raise
-        refused = getattr(error, "strerror", None) or str(error)
-        raise NoWorkersError(
-            "no worker processes can be started", where=_lacking(error), found=refused, hint="One process needs none."
-        ) from error
-    finally:
-        if block:
-            block(signal.SIG_SETMASK, before)
+    with interrupt_after():
+        block = getattr(signal, "pthread_sigmask", None)
+        before = block(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP}) if block else None
+        try:
+            yield
+        except (OSError, RuntimeError) as error:
+            if isinstance(error, RuntimeError) and str(error) != NO_THREAD:
+                raise
+            refused = getattr(error, "strerror", None) or str(error)
+            raise NoWorkersError(
+                "no worker processes can be started",
+                where=_lacking(error),
+                found=refused,
+                hint="One process needs none.",
+            ) from error
+        finally:
+            if block:
+                block(signal.SIG_SETMASK, before)
 
 
 def _lacking(error: Exception) -> str:
