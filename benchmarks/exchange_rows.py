@@ -46,19 +46,19 @@ def _import_rows(folder: Path) -> list[Row]:
     trial = jn.Trial(road=road, speed="20 m/s", duration=_SECONDS)
     instants = _SECONDS * _RATE
     problem = f"quarter car, ISO C, {instants:.0f} control instants"
-    laws: list[tuple[str, Any, str]] = [("a function in Python", jn.PythonControl(function=lambda _m, _t: 1500.0), "")]
+    laws: list[tuple[str, Any, str]] = [("Python function", jn.PythonControl(function=lambda _m, _t: 1500.0), "")]
     for version in (2, 3):
         file = fmu_component.write(folder / f"{version}.fmu", version, fmu_component.binary(version, folder))
         fields = {"file": str(file), "inputs": _INPUTS, "output": "coefficient"}
-        laws.append((f"component FMU, FMI {version}.0", FmuControl(**fields, trusted=True), "≤ 5 µs an instant"))
-    laws.append(("the same in a process of its own", FmuControl(**fields), ""))
+        laws.append((f"component FMU, FMI {version}.0", FmuControl(**fields, trusted=True), "≤ 5 µs per instant"))
+    laws.append(("the same in a separate process", FmuControl(**fields), ""))
     runs = [partial(jn.simulate, rig, trial, control=law, output_step=1e-2) for _, law, _ in laws]
     measured = side_by_side([partial(processor_time, run) for run in runs[:-1]])
     measured.append((median_time(runs[-1], repeats=7), math.nan))  # its child's time is none of this process
     rows = []
     for (way, _, target), (median, ratio) in zip(laws, measured, strict=True):
         clock = "wall clock, " if math.isnan(ratio) else ""
-        note = f"{clock}{1e6 * median / instants:.2g} µs an instant, with the run"
+        note = f"{clock}{1e6 * median / instants:.2g} µs per instant, run included"
         rows.append(Row(problem, way, median, None, None if math.isnan(ratio) else ratio, target, note))
     return rows
 
@@ -92,16 +92,16 @@ def _export_rows(folder: Path) -> list[Row]:
         problem = f"FMU of {name}, co-simulation at 1 ms"
         in_c = min(_stepped(own, told, count) for _ in range(7))
         note = "× real time, processor time"
-        rows.append(Row(problem, "a master in C", in_c, None, 1.0, real_time, f"{count * _STEP / in_c:.0f} {note}"))
+        rows.append(Row(problem, "importer in C", in_c, None, 1.0, real_time, f"{count * _STEP / in_c:.0f} {note}"))
         in_python = min(processor_time(partial(run, instances)) for _ in range(5))
         own_note = f"{count * _STEP / in_python:.0f} {note}"
-        rows.append(Row(problem, "our caller in Python", in_python, None, in_python / in_c, "", own_note))
+        rows.append(Row(problem, "jounce's importer in Python", in_python, None, in_python / in_c, "", own_note))
         (here, _), (there, ratio), (asked, as_asked) = side_by_side(_rates(own, told, name))
-        problem = f"{name}, one evaluation of its rates"
+        problem = f"{name}, one evaluation of the state derivatives"
         rows.append(Row(problem, "jounce's machine code", here, None, 1.0))
         rows.append(Row(problem, "the FMU's binary", there, None, ratio, slower))
-        note = "states set, drawn back onto the loops, rates read"
-        rows.append(Row(problem, "the FMU as importers ask it", asked, None, as_asked, "", note))
+        note = "states set and projected onto the loops, derivatives read"
+        rows.append(Row(problem, "the FMU through its interface", asked, None, as_asked, "", note))
     return rows
 
 

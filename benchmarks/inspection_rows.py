@@ -59,8 +59,8 @@ def _rigid_rows() -> list[Row]:
     ]
     return [
         Row(problem, "jounce, adhesion and phase", own, None, 1.0, "≤ 5 ms", f"with intervals; {notes[0]}"),
-        Row(problem, "jounce, everything", whole, None, whole / own, "≤ 25 ms", "also rigidity and THETA"),
-        Row(problem, "SciPy, low pass and loop over turns", peer, None, peer / own, note=notes[1]),
+        Row(problem, "jounce, all methods", whole, None, whole / own, "≤ 25 ms", "with rigidity and THETA"),
+        Row(problem, "SciPy, low pass and loop over cycles", peer, None, peer / own, note=notes[1]),
     ]
 
 
@@ -77,13 +77,13 @@ def _sprung_rows() -> list[Row]:
     problem = f"one wheel on a sprung plate, {float(one['time'][-1]):.3g} s at 1 kHz, noise of 1 %"
     own = median_time(lambda: evaluate(one, tester), repeats=101)
     note = "THETA by four methods, BOGE amplitude"
-    return [Row(problem, "jounce, everything", own, target="≤ 25 ms", note=note)]
+    return [Row(problem, "jounce, all methods", own, target="≤ 25 ms", note=note)]
 
 
 def _simulation_rows() -> list[Row]:
     """One test, simulated; the peer solves the rigid one as well as jounce does."""
     quarter, tester = jn.load("audi-a6-quarter-car"), load_tester("eusama")
-    problem = "test of one wheel simulated, run-down from 25 Hz, 11.5 s at 1 kHz"
+    problem = "simulated test of one wheel, run-down from 25 Hz, 11.5 s at 1 kHz"
     own = median_time(partial(simulate_test, quarter, tester, wheel="left", truth=False), repeats=31)
     found = simulate_test(quarter, tester, wheel="left")
     force, load = found["truth.left.tyre.force"].to_numpy(), float(found.attrs["left.static_load"])
@@ -128,9 +128,9 @@ def _lane_rows() -> list[Row]:
         again = _reevaluated(store)
         store.close()
     return [
-        Row(problem, "jounce, read with its header and checked", own, None, 1.0, "≤ 100 ms"),
-        Row(problem, "pandas.read_csv, numbers alone", plain, None, plain / own),
-        Row(problem, "jounce, imported", stored, None, stored / own, note="read, evaluated, graded, on the disk"),
+        Row(problem, "jounce, with header and checks", own, None, 1.0, "≤ 100 ms"),
+        Row(problem, "pandas.read_csv, numbers only", plain, None, plain / own),
+        Row(problem, "jounce, imported", stored, None, stored / own, note="read, evaluated, graded, stored"),
         again,
     ]
 
@@ -170,10 +170,9 @@ def _reevaluated(store: Store) -> Row:
         raise RuntimeError(f"{_STORED - found.added} records were not graded again: {found.failed}")
     (few, start), (many, end) = seen[0], seen[-1]
     each = (end - start) / (many - few)
-    note = (
-        f"extrapolated from {many} records: {start:.2g} s for start and first {few}, then {1e3 * each:.2g} ms a record"
-    )
-    problem = f"{_LANE:,} stored records of axles evaluated and graded again".replace(",", " ")
+    note = f"extrapolated from {many} records: {start:.2g} s for start and first {few}, "
+    note += f"then {1e3 * each:.2g} ms per record"
+    problem = f"{_LANE:,} stored axle records re-evaluated and regraded".replace(",", " ")
     return Row(problem, _CORES, start + each * (_LANE - few), target="≤ 6 min on two cores", note=note)
 
 

@@ -85,7 +85,7 @@ def _tangents() -> list[Row]:
     way = f"jounce, {len(model.rows)} quantities and slopes to 30 coordinates"
     return [
         Row(problem, way, median, None, 1.0, "≤ 1.2 ms"),
-        Row(problem, "SciPy approx_fprime over laid-out sweeps", theirs, None, theirs / median),
+        Row(problem, "SciPy approx_fprime over array sweeps", theirs, None, theirs / median),
     ]
 
 
@@ -99,7 +99,10 @@ _FROM = (60.0, 60.0)  # tolerances: where areas under fronts count from
 
 def _front() -> list[Row]:
     """A front between two goals, and that of pymoo's NSGA-II over the same model where it is installed."""
-    free, problem = {f"hardpoints.{name}": "5 mm" for name in _MOVES}, "front of two goals, 5 coordinates, 20 designs"
+    free, problem = (
+        {f"hardpoints.{name}": "5 mm" for name in _MOVES},
+        "Pareto front of two objectives, 5 coordinates, 20 designs",
+    )
 
     def run() -> Any:
         return jn.kinematic_front(RIG, free, _GOALS, points=20)
@@ -107,7 +110,7 @@ def _front() -> list[Row]:
     front = run()
     own = median_time(run, repeats=3)
     area = _area([tuple(design.goals.values()) for design in front.designs])
-    way = f"jounce, {front.evaluations} designs computed, area above the front {area:.4g}"
+    way = f"jounce, {front.evaluations} designs evaluated, hypervolume {area:.4g}"
     rows = [Row(problem, way, own, None, 1.0)]
     try:
         from pymoo.algorithms.moo.nsga2 import NSGA2
@@ -136,7 +139,7 @@ def _front() -> list[Row]:
 
     found = theirs()
     time = median_time(theirs, repeats=1)
-    way = f"pymoo NSGA-II, 4000 designs computed, area above the front {_area([tuple(one) for one in found.F]):.4g}"
+    way = f"pymoo NSGA-II, 4000 designs evaluated, hypervolume {_area([tuple(one) for one in found.F]):.4g}"
     return [*rows, Row(problem, way, time, None, time / own)]
 
 

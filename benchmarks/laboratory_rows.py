@@ -35,12 +35,12 @@ def laboratory_rows() -> list[Row]:
             return campaign_from_folder(folder / "mine", folder / "raw", force=True)
 
         made = take_in()
-        problem = f"a laboratory's folder: {count} CSV files, 16 trials of 10 s at 2 kHz (processor time)"
+        problem = f"folder of raw records: {count} CSV files, 16 trials of 10 s at 2 kHz (processor time)"
         recognised = _processor(take_in)
         updated = _processor(lambda: jn.run_campaign(made.campaign), repeats=3)
         rows = [
-            Row(problem, "jounce, recognised and written as a campaign", recognised, None, 1.0, "≤ 3 s"),
-            Row(problem, "jounce, to the updated and compared model", recognised + updated, None, None, "≤ 60 s"),
+            Row(problem, "jounce, recognised and converted to a campaign", recognised, None, 1.0, "≤ 3 s"),
+            Row(problem, "jounce, up to the updated and validated model", recognised + updated, None, None, "≤ 60 s"),
         ]
     return rows + _belt_rows() + _integration_rows()
 

@@ -106,7 +106,7 @@ def sweep_rows() -> list[Row]:
     sweep = prepare_sweep(rig, TRAVELS)
     count = len(sweep.run())
     own = median_time(sweep.run, repeats=101)
-    rows = [Row(problem, "jounce, laid out", own, None, 1.0, "≤ 2 ms", f"{count} quantities")]
+    rows = [Row(problem, "jounce, arrays only", own, None, 1.0, "≤ 2 ms", f"{count} quantities")]
     whole = median_time(lambda: jn.sweep_travel(rig, TRAVELS), repeats=51)
     rows.append(Row(problem, "jounce, jn.sweep_travel with its Dataset", whole, None, whole / own))
     for name, run in sweeps().items():
@@ -114,7 +114,7 @@ def sweep_rows() -> list[Row]:
         rows.append(Row(problem, name, median, None, median / own))
     heights = {"hardpoints.tie_rod_inner[2]": np.linspace(0.175, 0.195, 10_000)}
     median = median_time(lambda: jn.sweep_variants(rig, heights, TRAVELS), repeats=3, budget=1.0)
-    variants = "10 000 hardpoint variants of it, 41 poses each"
+    variants = "10 000 hardpoint variants, 41 poses each"
     rows.append(Row(variants, "jounce, whole catalogue", median, None, None, "≤ 10 s"))
     return rows
 

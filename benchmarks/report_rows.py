@@ -103,8 +103,14 @@ def _browser_rows(folder: Path) -> list[Row]:
     ready, frame = statistics.median(opened), statistics.median(frames)
     note = "Chromium without a graphics card"
     return [
-        Row("report of 16 trials, from opening until it can be used", "jounce", ready, None, 1.0, "≤ 1 s", note),
+        Row("report of 16 trials, from opening until usable", "jounce", ready, None, 1.0, "≤ 1 s", note),
         Row(
-            "zoom and pan of 3 x 10 000 points, mechanism moving: a frame", "jounce", frame, None, 1.0, "≤ 100 ms", note
+            "zoom and pan of 3 x 10 000 points, mechanism moving: one frame",
+            "jounce",
+            frame,
+            None,
+            1.0,
+            "≤ 100 ms",
+            note,
         ),
     ]

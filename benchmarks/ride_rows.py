@@ -32,7 +32,7 @@ def _road_rows() -> list[Row]:
     own = median_time(lambda: Iso8608(class_="C", length=1e4, step=0.01, seed=next(seeds)).points(), repeats=5)
     problem = "ISO 8608 road, 10 km at 1 cm"
     sums = 10.0 * 10.0 * median_time(_sum_of_cosines, repeats=1, budget=0.0)
-    note = "one after another; estimated from 1 km, which has a tenth of points and cosines"
+    note = "sequential; extrapolated from 1 km with a tenth of the points and cosines"
     return [
         Row(problem, "jounce, Iso8608.points", own, None, 1.0, "≤ 0.5 s"),
         Row(problem, "NumPy, sum of cosines", sums, None, sums / own, note=note),
@@ -74,9 +74,9 @@ def _robust_rows() -> list[Row]:
     problem = "damper for three roads, one design over 32 samples, with slopes"
     whole = median_time(lambda: jn.design_front(rig, free, _GOALS, cases=cases, spread=_SPREAD, points=15), repeats=1)
     return [
-        Row(problem, "jounce, samples side by side", own, None, 1.0),
+        Row(problem, "jounce, all samples together", own, None, 1.0),
         Row(problem, "jn.stationary for each", theirs, None, theirs / own, note="all channels"),
-        Row("the same, a front of three goals, 15 designs", "jounce, jn.design_front", whole),
+        Row("the same, Pareto front of three objectives, 15 designs", "jounce, jn.design_front", whole),
     ]
 
 
@@ -90,7 +90,7 @@ def _iri_rows() -> list[Row]:
     median = median_time(lambda: _iri_loop(z), repeats=3)
     return [
         Row(problem, "jounce.iri with its segments", own, 0.0, 1.0, "≤ 0.5 s"),
-        Row(problem, "NumPy, matrix times state", median, abs(plain / found - 1.0), median / own, note="whole only"),
+        Row(problem, "NumPy, matrix times state", median, abs(plain / found - 1.0), median / own, note="total only"),
     ]
 
 

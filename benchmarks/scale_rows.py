@@ -117,7 +117,7 @@ def _cluster() -> list[Row]:
             _once(lambda run=run: list(run()))
             for run in (lambda: here(work, tasks, 1), lambda: on_cluster(client, work, tasks))
         )
-    problem = f"{_TASKS} tasks of {own / _TASKS:.1f} s of a sweep"
+    problem = f"{_TASKS} sweep tasks of {own / _TASKS:.1f} s"
     return [
         Row(problem, "jounce, in one process on one thread", own, None, 1.0),
         Row(problem, "a Dask cluster of one worker", away, None, away / own, "≤ 1.1"),

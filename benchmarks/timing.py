@@ -61,7 +61,7 @@ def shown(seconds: float) -> str:
 
 def markdown(rows: list[Row]) -> str:
     """The rows as a table for the documentation."""
-    lines = ["| problem | way | median | × jounce | displacement error | target |", "|---|---|---:|---:|---:|---|"]
+    lines = ["| problem | method | median | × jounce | displacement error | target |", "|---|---|---:|---:|---:|---|"]
     for row in rows:
         ratio = "" if row.ratio is None else f"{row.ratio:.3g}"
         error = "" if row.error is None else f"{row.error:.1e}"

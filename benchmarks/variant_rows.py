@@ -35,8 +35,8 @@ def variant_rows() -> list[Row]:
     held = rig.with_changes({"tyre.lift_off": False})
     return [
         *_quarter_cars("linear", held, 1.0, "≤ 0.2 s on two cores"),
-        *_quarter_cars("tyre that may lift off and stays down", rig, 1.0, "≤ 0.4 s on two cores"),
-        *_quarter_cars("three times as rough, the tyre lifts off", rig, 3.0, "≤ 5 s on two cores"),
+        *_quarter_cars("lift-off enabled but not reached", rig, 1.0, "≤ 0.4 s on two cores"),
+        *_quarter_cars("three times as rough, with lift-off", rig, 3.0, "≤ 5 s on two cores"),
         *_full_cars(),
         *_double_wishbones(),
     ]
@@ -50,7 +50,7 @@ def _quarter_cars(title: str, rig: jn.Rig, height: float, target: str) -> list[R
     found: list[Any] = []
     own = median_time(lambda: found.append(jn.simulate_many(rig, trial, design, metrics=METRICS)), repeats=5)
     many = found[-1]
-    rows = [Row(problem, "jounce, simulate_many", own, None, 1.0, target, f"{many.attrs['side_by_side']} side by side")]
+    rows = [Row(problem, "jounce, simulate_many", own, None, 1.0, target, f"{many.attrs['side_by_side']} per batch")]
     one = median_time(lambda: jn.simulate_many(rig, trial, design, metrics=METRICS, threads=1), repeats=3)
     rows.append(Row(problem, "jounce, one thread", one, None, one / own))
     few = {path: many[path].values[:FEWER] for path in SPREAD}
@@ -87,7 +87,7 @@ def _peers(many: Any, road: Array, *, linear: bool) -> list[tuple[str, int, Call
             ),
         ]
     return [
-        ("Numba by hand, RK4 with 2 steps a sample, all cores", COUNT, lambda: _rk4(rate, mass, road)),
+        ("Numba by hand, RK4 with 2 steps per sample, all cores", COUNT, lambda: _rk4(rate, mass, road)),
         ("jax, vmap of the same", COUNT // 10, lambda: _jax(rate[: COUNT // 10], mass[: COUNT // 10], road)),
     ]
 
@@ -241,7 +241,7 @@ def _full_cars() -> list[Row]:
     metrics, rows = ["rms body.az", "max front_left.tyre.force", "range front_left.strut.deflection"], []
     held = car.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False})
     for title, rig, target in (("linear", held, "≤ 1.5 s on two cores"), ("lift-off", car, "")):
-        problem = f"{_shown(CARS)} full cars with 7 freedoms, {title}, ISO road C, 60 s at 1 kHz"
+        problem = f"{_shown(CARS)} full cars with 7 degrees of freedom, {title}, ISO road C, 60 s at 1 kHz"
         own = median_time(lambda rig=rig: jn.simulate_many(rig, trial, design, metrics=metrics), repeats=3)
         rows.append(Row(problem, "jounce, simulate_many", own, None, 1.0, target))
         alone = median_time(lambda rig=rig: jn.simulate(rig, trial), repeats=3) * CARS
@@ -267,7 +267,7 @@ def _double_wishbones() -> list[Row]:
     own = median_time(lambda: many(COUNT), repeats=3)
     exact = many(20, 1e-8)
     error = max(float(np.max(np.abs(found[name].values[:20] / exact[name].values - 1.0))) for name in METRICS)
-    note = f"{found.attrs['side_by_side']} side by side; largest error of a metric, from 20"
+    note = f"{found.attrs['side_by_side']} per batch; largest error of a metric, from 20"
     rows = [Row(problem, "jounce, simulate_many", own, error, 1.0, "≤ 1.2 s on two cores", note)]
     one = median_time(lambda: many(COUNT, threads=1), repeats=3)
     rows.append(Row(problem, "jounce, one thread", one, None, one / own))
@@ -275,11 +275,11 @@ def _double_wishbones() -> list[Row]:
     rows.append(Row(problem, "jounce, as one coordinate, one by one", alone, None, alone / own, note="from 3"))
     full = median_time(lambda: many(FULL, method="explicit"), repeats=3) * COUNT / FULL
     note = f"from {_shown(FULL)}"
-    rows.append(Row(problem, "jounce, the whole mechanism", full, None, full / own, "≤ 4 s on two cores", note))
+    rows.append(Row(problem, "jounce, full mechanism", full, None, full / own, "≤ 4 s on two cores", note))
     one = median_time(lambda: many(FULL, method="explicit", threads=1), repeats=3) * COUNT / FULL
-    rows.append(Row(problem, "jounce, the whole mechanism, one thread", one, None, one / own, note=note))
+    rows.append(Row(problem, "jounce, full mechanism, one thread", one, None, one / own, note=note))
     alone = median_time(lambda: many(20, method="explicit", threads=1), repeats=5) * COUNT / 20
-    way = "jounce, the whole mechanism, one by one on one thread"
+    way = "jounce, full mechanism, one by one on one thread"
     rows.append(Row(problem, way, alone, None, alone / own, note=f"from 20, {alone / one:.2g} times as long"))
     name = "Pinocchio + SciPy DOP853"
     if PEERS[name].is_installed:

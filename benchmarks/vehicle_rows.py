@@ -139,7 +139,7 @@ def linear_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
         same = control.ss(a, b, *keep)
         yield "python-control forced_response", lambda: np.asarray(control.forced_response(same, times, du).outputs)
     for count in (1, 2, 4, 8):
-        yield "Numba RK4, up to 8 steps a sample", _rk4(problem, a, b, count)
+        yield "Numba RK4, up to 8 steps per sample", _rk4(problem, a, b, count)
     for tolerance in (1e-6, 1e-8):
 
         def integrate(tolerance: float = tolerance) -> Array:
@@ -210,7 +210,7 @@ def full_car_rows() -> list[Row]:
     held = vehicle.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False})
     rows = []
     for title, car, step in (("linear", held, "5 cm"), ("lift-off", vehicle, "5 cm"), ("lift-off", vehicle, "10 cm")):
-        name = f"full car with 7 freedoms, {title}, ISO road C, a point every {step}, 60 s at 1 kHz"
+        name = f"full car with 7 degrees of freedom, {title}, ISO road C, a point every {step}, 60 s at 1 kHz"
         problem = Problem.of(car, iso_trial(step, "60 s"))
         own = own_row(name, problem, "≤ 20 ms")
         rows += [own, *(peer_rows(name, problem, own, linear_peers(problem)) if car is held else [])]
@@ -256,7 +256,7 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
             break
     seconds = median_time(lambda: replace(car, reduction=replace(reduction, made=LastTables())).run(), repeats=31)
     how = f"{solution.method}, {solution.steps} steps, {len(solution.outputs)} channels, with its tables"
-    return Row(title, "jounce, one coordinate for each wheel", seconds, error, seconds / own.median, note=how)
+    return Row(title, "jounce, one coordinate per wheel", seconds, error, seconds / own.median, note=how)
 
 
 def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
@@ -278,7 +278,7 @@ def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
             span = problem.times[0], problem.times[-1]
             return problem.moved(solve_ivp(rate, span, start, "DOP853", problem.times, **options).y[:n])
 
-        yield "SciPy solve_ivp DOP853 on our compiled right-hand side", run
+        yield "SciPy solve_ivp DOP853 on jounce's compiled right-hand side", run
 
 
 def start_rows() -> list[Row]:

@@ -16,13 +16,13 @@ from corpus.judging import BAD, counted, judge, table
 PARTS = {"commands": [], "outputs": [], "descriptions": [120], "models": [2000], "files": [2000]}
 """Parts of the corpus, and how many cases there are of each file; of each reader, for mutations of bytes."""
 TITLES = {
-    "commands": "Commands: each option and argument with wrong values",
-    "outputs": "Outputs: each file and folder that is written, in places of every kind",
-    "descriptions": "Descriptions: lines that are wrong, checked and used",
-    "models": "Models and roads of other programs: mutations of bytes",
-    "files": "Recordings: mutations of bytes",
+    "commands": "Commands: wrong values for each option and argument",
+    "outputs": "Outputs: each file and folder, written to places of every kind",
+    "descriptions": "Descriptions: wrong lines, checked and used",
+    "models": "Models and roads of other programs: mutated bytes",
+    "files": "Recordings: mutated bytes",
 }
-MARK = "<!-- what follows is written by python -m corpus --page -->"
+MARK = "<!-- python -m corpus --page writes the following -->"
 
 
 def counts_of(part: str, numbers: list[int], only: list[str], *, verbose: bool) -> dict[str, Counter[str]]:
