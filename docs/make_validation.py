@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = Path(__file__).parent / "explanation" / "kinematics-validation.md"
-MARK = "<!-- what follows is written by docs/make_validation.py -->\n\n"
+MARK = "<!-- docs/make_validation.py writes the following -->\n\n"
 _OF_AXIS = "steering axis"
 _AT_GROUND = f"{_OF_AXIS}, at the height of the contact point"
 _AT_CENTRE = f"{_OF_AXIS}, at the height of the wheel centre"

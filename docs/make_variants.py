@@ -20,7 +20,7 @@ from jounce.recordings.plausibility import implausible
 from jounce.recordings.schema import channel_unit
 
 PAGE = Path(__file__).parent / "how-to" / "recordings.md"
-MARK = "<!-- what follows is written by docs/make_variants.py -->\n\n"
+MARK = "<!-- docs/make_variants.py writes the following -->\n\n"
 TIME = np.arange(1500) * 0.002
 CHANNELS = ("sprung.az", "strut.deflection", "strut.force")
 UNITS = {
@@ -343,7 +343,7 @@ def tables() -> str:
     rows.append(["**all**", *(sum(int(row[i]) for row in rows) for i in range(1, 6))])
     lines = ["| files | variants | right | refused | flagged | silently wrong |", "|---|--:|--:|--:|--:|--:|"]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in rows]
-    lines += ["", "| a header states a wrong unit, so that values are | pairs | told |", "|---|--:|--:|"]
+    lines += ["", "| effect of a wrong unit in the header: values | pairs | reported |", "|---|--:|--:|"]
     lines += [f"| {kind} | {count} | {told} |" for kind, count, told in mislabelled()]
     return "\n".join(lines) + "\n"
 
