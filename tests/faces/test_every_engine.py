@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import time
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -47,6 +48,15 @@ def engine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
         pytest.skip(f"{kind.__name__} is not installed (Debian: {kind.package})")
     with ExitStack() as stack:
         yield kind(stack, tmp_path_factory.mktemp("browser"))
+
+
+@pytest.fixture(autouse=True)
+def _left(engine: Engine) -> None:
+    """Leave the page of the last test, whose requests a browser may report as interrupted."""
+    engine.go("about:blank")
+    time.sleep(0.2)
+    engine.evaluate("0")
+    engine.troubles.clear()
 
 
 @pytest.fixture(scope="module")
