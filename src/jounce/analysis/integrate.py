@@ -13,6 +13,7 @@ from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, ch
 from jounce.core.errors import DescriptionError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Mark, Number, operation
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
@@ -234,7 +235,7 @@ def integrate_acceleration(
         raise unknown(str(motion), get_args(Motion), what="motion", where="motion")
     for name, given, of in (("above", above, "random"), ("period", period, "periodic")):
         if given is not None and motion != of:
-            raise DescriptionError(f"it belongs to {of} motion", where=name, found=f"motion {motion}")
+            raise DescriptionError(Phrase("it belongs to {of} motion", of=of), where=name, found=f"motion {motion}")
     used = measured(record, begin, end)
     names = _accelerations(used, channels)
     moving, still = constant_channels(used, names)
@@ -328,7 +329,12 @@ def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) 
                 "the corner frequency does not suit the record",
                 where=f"{at}: above",
                 found=f"{given:g} Hz",
-                allowed=f"{lowest:.3g} Hz, {_FEWEST_CYCLES:g} cycles of the record, to {0.25 * used.rate:g} Hz",
+                allowed=Phrase(
+                    "{lowest:.3g} Hz, {fewest_cycles:g} cycles of the record, to {rate:g} Hz",
+                    lowest=lowest,
+                    fewest_cycles=_FEWEST_CYCLES,
+                    rate=0.25 * used.rate,
+                ),
             )
         return given, []
     f, density = _third_octaves(spectrum)
@@ -449,7 +455,7 @@ def _whole_periods(used: Measured, period: float | None) -> int:
             "the record contains no whole period",
             where=f"{used.name}: period",
             found=f"{period:g} s",
-            allowed=f"{8.0 / used.rate:g} s to {samples / used.rate:g} s",
+            allowed=Phrase("{rate:g} s to {samples:g} s", rate=8.0 / used.rate, samples=samples / used.rate),
         )
     return min(round(count * period * used.rate), samples)
 

@@ -42,6 +42,7 @@ from jounce.analysis.transfer import check_moving, sliding_model, whitened
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, Switch, Texts, operation
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
@@ -240,7 +241,9 @@ def fit_modes(
     if decay and given is not None:
         raise DescriptionError("a free decay has no input", where="given", found=given, allowed="no input with decay")
     if count is not None and not 1 <= count <= MOST_MODES:
-        raise DescriptionError("no number of modes", where="count", found=count, allowed=f"1 to {MOST_MODES}")
+        raise DescriptionError(
+            "no number of modes", where="count", found=count, allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES)
+        )
     used = measured(record, begin, end)
     if given is not None:
         check_channel(used, given)
@@ -319,7 +322,7 @@ def _lines(
             "the band is too narrow for modes",
             where=f"{used.name}: band",
             found=f"{len(f)} lines in {band_text(band)}",
-            allowed=f"at least {_FEWEST_LINES}",
+            allowed=Phrase("at least {fewest_lines}", fewest_lines=_FEWEST_LINES),
             hint="Take longer segments, a longer record or a wider band.",
         )
     if decay:
@@ -340,7 +343,7 @@ def _lines(
             "the record is too short for intervals",
             where=used.name,
             found=f"{count} segments of {samples / rate:.3g} s",
-            allowed=f"at least {_FEWEST_GROUPS}",
+            allowed=Phrase("at least {fewest_groups}", fewest_groups=_FEWEST_GROUPS),
             hint="Take shorter segments, or a free decay.",
         )
     group = np.arange(count) * groups // count

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Band, MadeBy, Mark, Number, Texts
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings import read_recording
@@ -86,7 +87,7 @@ class Measured:
         if not finite.all():
             lost = np.flatnonzero(~finite)
             raise RecordingError(
-                f"{lost.size} of {values.size} samples are missing",
+                Phrase("{size} of {second_size} samples are missing", size=lost.size, second_size=values.size),
                 where=f"{self.name}: {name}",
                 found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
                 allowed="numbers throughout",
@@ -121,7 +122,12 @@ def measured(record: AnyRecord, begin: float | str | None = None, end: float | s
             "the section has too few samples",
             where=whole.name,
             found=f"{inside.size} from {low:g} s to {high:g} s",
-            allowed=f"at least {FEWEST_SAMPLES}, from {time[0]:g} s to {time[-1]:g} s",
+            allowed=Phrase(
+                "at least {fewest_samples}, from {time:g} s to {second_time:g} s",
+                fewest_samples=FEWEST_SAMPLES,
+                time=time[0],
+                second_time=time[-1],
+            ),
         )
     return Measured(whole.run.isel(time=slice(inside[0], inside[-1] + 1)), whole.name, whole.rate, whole.findings)
 
@@ -169,7 +175,10 @@ def check_channel(record: Measured, name: str) -> str:
     if name not in record.names:
         names = record.names
         raise RecordingError(
-            f"no channel {name!r}", where=record.name, found=", ".join(names), hint=nearest(name, names)
+            Phrase("no channel {name!r}", name=name),
+            where=record.name,
+            found=", ".join(names),
+            hint=nearest(name, names),
         )
     return name
 
@@ -186,7 +195,7 @@ def band_of(
             "the band contains no frequency of the record",
             where=f"{record.name}: band",
             found=f"{low:g} Hz to {high:g} Hz",
-            allowed=f"two frequencies from 0 to {top:g} Hz",
+            allowed=Phrase("two frequencies from 0 to {top:g} Hz", top=top),
         )
     slow = [name for name in names if tops[name] < min(high if band else 0.5 * record.rate, 0.5 * record.rate)]
     findings = []

@@ -26,6 +26,7 @@ from jounce.analysis.record import (
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import operation
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows, own_unit
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
@@ -256,7 +257,7 @@ def segment_samples(used: Measured, segment: float | str | None, parts: int, lon
             "the record is too short for a spectrum",
             where=used.name,
             found=f"{samples} samples",
-            allowed=f"at least {_FEWEST_SAMPLES}",
+            allowed=Phrase("at least {fewest_samples}", fewest_samples=_FEWEST_SAMPLES),
         )
     usual = min(max(samples // parts, _FEWEST_SAMPLES // 4), int(longest * used.rate))
     if segment is None:
@@ -269,7 +270,12 @@ def segment_samples(used: Measured, segment: float | str | None, parts: int, lon
             "the segment does not fit the record",
             where=f"{used.name}: segment",
             found=f"{length:g} s",
-            allowed=f"{shortest:g} s to {samples / used.rate:g} s, such as {usual / used.rate:.3g} s",
+            allowed=Phrase(
+                "{shortest:g} s to {samples:g} s, such as {usual:.3g} s",
+                shortest=shortest,
+                samples=samples / used.rate,
+                usual=usual / used.rate,
+            ),
         )
     return count
 

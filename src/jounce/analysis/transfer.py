@@ -28,6 +28,7 @@ from jounce.analysis.spectrum import check_confidence, segment_samples
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Mark, operation
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
@@ -257,7 +258,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
             "a coherence needs at least two independent segments",
             where=f"{used.name}: segment",
             found=f"{averages:.2g} of {count / used.rate:g} s",
-            allowed=f"at most {used.duration / 3.0:.3g} s",
+            allowed=Phrase("at most {duration:.3g} s", duration=used.duration / 3.0),
         )
     limits, notes = band_of(used, band, names, 0.5 * used.rate / count)
     frequency, own, other, cross = _spectra(used, given, output, count, window)

@@ -15,6 +15,7 @@ from jounce.core.description import Description, Whole
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, MadeBy, Number, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.typed import LONGEST
 from jounce.core.units import (
@@ -190,7 +191,11 @@ def _unseen_slip(drive: BenchDrive) -> Finding:
 
 def _check_positive(value: float, what: str, unit: str) -> None:
     if not (math.isfinite(value) and value > 0.0):
-        raise FitError(f"the {what} is not positive", found=f"{value} {unit}", allowed=f"above 0 {unit}")
+        raise FitError(
+            Phrase("the {what} is not positive", what=what),
+            found=f"{value} {unit}",
+            allowed=Phrase("above 0 {unit}", unit=unit),
+        )
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.operation import MadeBy, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.units import Frequency, Mass, PositiveNumber, PositiveSpeed, PositiveStiffness, Unit
 
@@ -30,7 +31,7 @@ def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> fl
     """
     for value, what in ((mass, "mass"), (factor, "factor"), (density_ratio, "density ratio")):
         if not (math.isfinite(value) and value > 0.0):
-            raise FitError(f"the {what} is not positive", found=value, allowed="above 0")
+            raise FitError(Phrase("the {what} is not positive", what=what), found=value, allowed="above 0")
     return mass * density_ratio / factor**3
 
 

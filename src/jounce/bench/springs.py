@@ -13,6 +13,7 @@ from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Pairs, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.typed import positive_quantity
 from jounce.core.units import (
@@ -194,7 +195,9 @@ def _rate(name: str, given: float | str) -> float:
     if isinstance(given, str):
         return positive_quantity(given, "N/m", name)
     if not given > 0.0:
-        raise FitError(f"{name}: the spring rate is not positive", found=f"{given:g} N/m", allowed="above 0 N/m")
+        raise FitError(
+            Phrase("{name}: the spring rate is not positive", name=name), found=f"{given:g} N/m", allowed="above 0 N/m"
+        )
     return to_si(given, "N/m", where=name)
 
 

@@ -12,6 +12,7 @@ from jounce.core.errors import DescriptionError, OutputError, RecordingError, ne
 from jounce.core.files import matching_files
 from jounce.core.findings import Finding
 from jounce.core.operation import Count, File, MadeBy, Mark, Number, Switch, Texts, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
 from jounce.core.typed import positive_quantity, quantity
@@ -144,10 +145,10 @@ def fit_measured_damper(
     for name in ("displacement", "force"):
         if name not in data:
             raise RecordingError(
-                f"no column {name!r}",
+                Phrase("no column {name!r}", name=name),
                 where=str(given.path),
                 found=", ".join(map(str, data.data_vars)),
-                hint=f"Name its column: --columns {name}='COLUMN [unit]'.",
+                hint=Phrase("Name its column: --columns {name}='COLUMN [unit]'.", name=name),
             )
     velocity = data["velocity"].to_numpy() if "velocity" in data else None
     measured = data["displacement"].to_numpy(), velocity, data["force"].to_numpy(), data["time"].to_numpy()
@@ -355,10 +356,14 @@ def _inertia(
     ((other, wrong),) = given.items()
     if own is None or wrong is not None:
         raise DescriptionError(
-            f"the {motion.inertia_word} of what swings is needed" if own is None else f"no {other} swings here",
+            Phrase("the {inertia_word} of what swings is needed", inertia_word=motion.inertia_word)
+            if own is None
+            else Phrase("no {other} swings here", other=other),
             where=motion.inertia_word if own is None else other,
             found=f"{channel} is {'an angle or its rate' if motion.name == 'rotation' else 'a motion along a line'}",
-            allowed=f'--{motion.inertia_word} "NUMBER {motion.inertia}"',
+            allowed=Phrase(
+                '--{inertia_word} "NUMBER {inertia}"', inertia_word=motion.inertia_word, inertia=motion.inertia
+            ),
         )
     return {motion.inertia_word: positive_quantity(str(own), motion.inertia, motion.inertia_word)}
 
@@ -368,7 +373,7 @@ def _motion_in(data: xr.Dataset, channel: str, file: str) -> tuple[Array, Motion
     names = [str(name) for name in data.data_vars]
     if channel not in names:
         raise RecordingError(
-            f"no channel {channel!r}",
+            Phrase("no channel {channel!r}", channel=channel),
             where=file,
             found=", ".join(names),
             hint=nearest(channel, names) or "See --columns.",
@@ -607,7 +612,9 @@ def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:
             "the part has no such rate",
             where="--part",
             found=f"{spoken(motion.stiffness)} for {part}",
-            allowed=f"a part in {spoken(motion.stiffness)}; this one is in {spoken(takes)}",
+            allowed=Phrase(
+                "a part in {stiffness}; this one is in {takes}", stiffness=spoken(motion.stiffness), takes=spoken(takes)
+            ),
         )
     text = changed_text(rig_path(rig).read_text(encoding="utf-8"), described, {part: rate.value})
     low, high = rate.interval or (rate.value, rate.value)

@@ -18,6 +18,7 @@ from numpy.polynomial import Polynomial
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.core.errors import RecordingError, reason
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -182,7 +183,10 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
         matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
         if not matches:
             raise RecordingError(
-                "no file matches", where=where, found=pattern, hint=f"The pattern is relative to {folder}."
+                "no file matches",
+                where=where,
+                found=pattern,
+                hint=Phrase("The pattern is relative to {folder}.", folder=folder),
             )
         found += [file for file in matches if file not in found]  # counted twice, it would look like a repetition
     return found

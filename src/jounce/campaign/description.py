@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field, field_validator, model_validator
 from jounce.campaign.belt import Belt, Passage
 from jounce.campaign.reference import Reference
 from jounce.core.description import Description, Whole, read_description
+from jounce.core.phrases import Phrase
 from jounce.core.units import NonNegativeLength, NonNegativeMass, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
@@ -116,7 +117,7 @@ class TrialEntry(RecordingFormat):
         if (self.excitation is None) == (self.road is None):
             raise ValueError("give either road and speed, or excitation")
         if self.from_ is not None and self.to is not None and self.to <= self.from_:
-            raise ValueError(f"from ({self.from_:g} s) is not before to ({self.to:g} s)")
+            raise ValueError(Phrase("from ({from_:g} s) is not before to ({to:g} s)", from_=self.from_, to=self.to))
         return self
 
 
@@ -159,23 +160,37 @@ class Campaign(Description):
         slow = [trial.number for trial in self.trial if trial.road is not None and trial.speed is None]
         if slow and not has_pulses:
             raise ValueError(
-                f"the speed of trial {slow[0]} is missing; a road is driven over at a speed, or [belt] has radius, "
-                "pulses and column"
+                Phrase(
+                    "the speed of trial {slow} is missing; a road is driven over at a speed, or [belt] has "
+                    "radius, pulses and column",
+                    slow=slow[0],
+                )
             )
         numbers = [entry.number for entry in self.trial]
         twice = {number for number in numbers if numbers.count(number) > 1}
         if twice:
-            raise ValueError(f"trial number {min(twice)} is given twice")
+            raise ValueError(Phrase("trial number {twice} is given twice", twice=min(twice)))
         names: list[str] = []
         for entry in self.update:
             if entry.name in names:
-                raise ValueError(f"two updates are named {entry.name!r}")
+                raise ValueError(Phrase("two updates are named {name!r}", name=entry.name))
             if entry.start_from is not None and entry.start_from not in names:
                 earlier = ", ".join(names) or "none"
-                raise ValueError(f"update {entry.name!r} starts from {entry.start_from!r}; earlier updates: {earlier}")
+                raise ValueError(
+                    Phrase(
+                        "update {name!r} starts from {start_from!r}; earlier updates: {earlier}",
+                        name=entry.name,
+                        start_from=entry.start_from,
+                        earlier=earlier,
+                    )
+                )
             if isinstance(entry.trials, tuple) and set(entry.trials) - set(numbers):
                 missing = min(set(entry.trials) - set(numbers))
-                raise ValueError(f"update {entry.name!r} uses trial {missing}, which does not exist")
+                raise ValueError(
+                    Phrase(
+                        "update {name!r} uses trial {missing}, which does not exist", name=entry.name, missing=missing
+                    )
+                )
             names.append(entry.name)
         for told in self.reference.update if self.reference is not None else ():
             if told.update not in names:

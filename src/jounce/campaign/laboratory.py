@@ -18,6 +18,7 @@ from jounce.core.description import Description, Whole, read_description
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import reading
 from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.phrases import Phrase
 from jounce.core.units import Mass, PositiveHeight, PositiveLength, PositiveTime, Unit, is_unit_of, to_si
 from jounce.recordings.conditioning import sensitivity_of
 from jounce.recordings.schema import channel_unit, quantity_of
@@ -40,7 +41,9 @@ class CardChannel(Sensor):
     @model_validator(mode="after")
     def _measures_something(self) -> CardChannel:
         if not quantity_of(self.measures):
-            raise misplaced(("measures",), f"{self.measures!r} names no known quantity, as sprung.az does")
+            raise misplaced(
+                ("measures",), Phrase("{measures!r} names no known quantity, as sprung.az does", measures=self.measures)
+            )
         if self.sensitivity:
             try:
                 sensitivity_of(self.sensitivity, channel_unit(self.measures), where="")
@@ -91,7 +94,7 @@ class Laboratory(Description):
         measured = [channel.measures for channel in self.channels.values()]
         twice = {name for name in measured if measured.count(name) > 1}
         if twice:
-            raise misplaced(("channels",), f"{min(twice)} is measured twice")
+            raise misplaced(("channels",), Phrase("{twice} is measured twice", twice=min(twice)))
         return self
 
 

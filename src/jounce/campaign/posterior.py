@@ -18,6 +18,7 @@ from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, File, Mark, Switch, Texts, operation
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_json
 from jounce.core.shown import Shown
 from jounce.core.text import slug
@@ -324,7 +325,9 @@ def _candidates(
         pressures = [to_si(v, "Pa", where="tyre_pressures") for v in tyre_pressures]
     count = len(names) * len(chosen) * len(angles) * len(pressures)
     if count > _MOST:
-        raise FitError("too many trials to compare", found=count, allowed=f"up to {_MOST}", where="candidates")
+        raise FitError(
+            "too many trials to compare", found=count, allowed=Phrase("up to {most}", most=_MOST), where="candidates"
+        )
     duration = max(float(item.measured["time"][-1]) for item in runner.loaded.values())
     sensors = next(iter(runner.sensors.values()), runner.campaign.sensors)
     found: list[Candidate] = []

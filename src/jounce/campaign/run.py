@@ -41,6 +41,7 @@ from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.phrases import Phrase
 from jounce.core.waiting import counted
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
@@ -257,7 +258,9 @@ def _check_masses(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
         if entry.added_mass and SPRUNG_MASS not in rig.parameters():
             place = f"{file}: trial[{i}].added_mass (number {entry.number})"
             raise DescriptionError(
-                "the rig has no body to add a mass to", where=place, allowed=f"a rig with {SPRUNG_MASS}"
+                "the rig has no body to add a mass to",
+                where=place,
+                allowed=Phrase("a rig with {sprung_mass}", sprung_mass=SPRUNG_MASS),
             )
     return []
 
@@ -327,7 +330,11 @@ def _window(measured: xr.Dataset, entry: TrialEntry) -> xr.Dataset:
             "the record has no samples between from and to",
             where="from, to",
             found=f"{part.sizes['time']} samples",
-            allowed=f"between {float(measured['time'][0]):.4g} and {float(measured['time'][-1]):.4g} s",
+            allowed=Phrase(
+                "between {measured:.4g} and {second_measured:.4g} s",
+                measured=float(measured["time"][0]),
+                second_measured=float(measured["time"][-1]),
+            ),
         )
     time = part["time"]
     return part.assign_coords(time=("time", time.to_numpy() - float(time[0]), time.attrs))
@@ -359,14 +366,14 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
             "the recording is too slow to show the motion of a suspension",
             where="time",
             found=f"a sample every {step:.4g} s",
-            allowed=f"steps up to {SLOWEST_STEP:g} s",
+            allowed=Phrase("steps up to {slowest_step:g} s", slowest_step=SLOWEST_STEP),
             hint="Is its time in ms, or another unit than its header says?",
         )
     if last < trial.obstacle_end():
         raise FitError(
             "the recording is shorter than the obstacle pass",
             found=f"{last:.4g} s",
-            allowed=f"at least {trial.obstacle_end():.4g} s",
+            allowed=Phrase("at least {obstacle_end:.4g} s", obstacle_end=trial.obstacle_end()),
             hint="Check speed, start and length of the obstacle, or record longer.",
         )
 

@@ -35,6 +35,7 @@ from jounce.cli.reply import (
 )
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, is_of_system, unknown
 from jounce.core.files import existing_file
+from jounce.core.phrases import Phrase
 from jounce.core.text import visible
 from jounce.core.typed import positive_quantity, quantity
 from jounce.core.waiting import counted
@@ -393,7 +394,12 @@ def _unfit(inspected: list[InspectedRecord]) -> RecordingError | None:
             if grade.verdict == "not graded":
                 reason = grade.reasons[0].text() if grade.reasons else "nothing is known"
                 return RecordingError(
-                    f"the {grade.wheel} wheel cannot be graded: {reason.removesuffix('.')}", where=str(one.path)
+                    Phrase(
+                        "the {wheel} wheel cannot be graded: {reason}",
+                        wheel=grade.wheel,
+                        reason=reason.removesuffix("."),
+                    ),
+                    where=str(one.path),
                 )
     return None
 

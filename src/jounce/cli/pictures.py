@@ -31,6 +31,7 @@ from jounce.cli.options import (
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.phrases import Phrase
 from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
@@ -350,7 +351,7 @@ def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Da
             "too many poses for one picture",
             where=moved,
             found=len(at),
-            allowed=f"at most {_MOST_POSES}",
+            allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
             hint="Take larger steps, or use jounce animate.",
         )
     fine = np.unique(np.round([*at, *np.linspace(at[0], at[-1], _WAY)], 9)) if len(at) > 1 else at

@@ -153,8 +153,12 @@ class SemiActiveDamper(_Actuator):
     def _check_order(self) -> Self:
         if self.minimum is not None and self.maximum is not None and self.maximum <= self.minimum:
             raise ValueError(
-                f"maximum = {self.maximum:g} N*s/m does not lie above minimum = {self.minimum:g} N*s/m; "
-                "swap them, or give the damper a range to work in"
+                Phrase(
+                    "maximum = {maximum:g} N*s/m does not lie above minimum = {minimum:g} N*s/m; swap them, "
+                    "or give the damper a range to work in",
+                    maximum=self.maximum,
+                    minimum=self.minimum,
+                )
             )
         return self
 
@@ -247,7 +251,11 @@ class ActiveActuator(_Actuator):
         given += ["in_place_of_damper"] if self.in_place_of_damper else []
         if self.in_place_of is not None and given:
             raise ValueError(
-                f"a force in place of the {self.in_place_of} has no {given[0]}; leave it out, or leave out in_place_of"
+                Phrase(
+                    "a force in place of the {in_place_of} has no {given}; leave it out, or leave out in_place_of",
+                    in_place_of=self.in_place_of,
+                    given=given[0],
+                )
             )
         return self
 
@@ -365,7 +373,13 @@ class MagnetorheologicalDamper(_Actuator):
     @model_validator(mode="after")
     def _check_kinds(self) -> Self:
         if self.off.kind != self.on.kind:
-            raise ValueError(f"off is a {self.off.kind!r} law and on a {self.on.kind!r} one; give two of one kind")
+            raise ValueError(
+                Phrase(
+                    "off is a {kind!r} law and on a {second_kind!r} one; give two of one kind",
+                    kind=self.off.kind,
+                    second_kind=self.on.kind,
+                )
+            )
         return self
 
     @property

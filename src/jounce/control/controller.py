@@ -63,7 +63,7 @@ def _read_noise(value: object) -> object:
         raise misplaced_value((), error) from None
     for name, number in deviations.items():
         if number < 0.0:
-            raise ValueError(f"{name}: a standard deviation of {number:g} is below 0")
+            raise ValueError(Phrase("{name}: a standard deviation of {number:g} is below 0", name=name, number=number))
     return deviations
 
 
@@ -124,7 +124,13 @@ class Controller(Description):
     def _check_place(self) -> Self:
         place = getattr(self.actuator, "in_place_of", None)
         if place is not None and not self.is_element:
-            raise ValueError(f"actuator: the law {self.name!r} cannot stand in place of the {place}; only an FMU can")
+            raise ValueError(
+                Phrase(
+                    "actuator: the law {name!r} cannot stand in place of the {place}; only an FMU can",
+                    name=self.name,
+                    place=place,
+                )
+            )
         return self
 
     @property

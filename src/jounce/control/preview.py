@@ -13,6 +13,7 @@ from jounce.control.controller import CallbackController, CommandLimits, Regulat
 from jounce.control.design import CornerModel, corner_equations, corner_outputs, discretise
 from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
+from jounce.core.phrases import Phrase
 from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import Frequency, PositiveLength, PositiveTime
@@ -176,7 +177,7 @@ class _Planner:
                 "the plan has too many steps",
                 where="mpc: preview, rate",
                 found=f"{steps} (preview times rate)",
-                allowed=f"at most {_LONGEST}",
+                allowed=Phrase("at most {longest}", longest=_LONGEST),
                 hint="Lower the control rate or shorten the preview; 50 to 100 ms are usual.",
             )
         times = np.arange(setting.instants + steps + 1) / mpc.rate

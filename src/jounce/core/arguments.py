@@ -16,6 +16,7 @@ from functools import wraps
 from typing import Any, Literal, TypeVar, get_args, get_origin
 
 from jounce.core.errors import DescriptionError, JounceError, named
+from jounce.core.phrases import Phrase
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -96,7 +97,7 @@ def misfit(
             swapped = [other for other, kind in hints.items() if other in signature.parameters and _is_for(wrong, kind)]
             advice = [f"It would do for {swapped[0]!r}: are the arguments in order?"] if swapped else []
             return DescriptionError(
-                f"{named(wrong)} was given",
+                Phrase("{wrong} was given", wrong=named(wrong)),
                 where=f"{function.__name__}: {place}",
                 allowed=" or ".join(words),
                 hint=" ".join([*advice, *filter(None, ways)]),

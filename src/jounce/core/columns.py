@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import RecordingError, ResourceError, at_line, below, nearest
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.text import unguarded
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
@@ -100,7 +101,7 @@ class Column:
             raise RecordingError(
                 "the header has no unit",
                 where=self.where,
-                allowed=f"'{self.name} [{si}]' or a unit that converts to it",
+                allowed=Phrase("'{name} [{si}]' or a unit that converts to it", name=self.name, si=si),
             )
         return self.scaled(conversion_factor(self.unit, si, where=self.where))
 
@@ -147,7 +148,7 @@ class ColumnTable:
             for other in matches[1:]
         ):
             raise RecordingError(
-                f"{len(matches)} columns are named {key!r}",
+                Phrase("{count} columns are named {key!r}", count=len(matches), key=key),
                 where=self.file,
                 found=", ".join(column.label for column in matches),
                 hint="Rename or remove all but one of them.",
@@ -155,7 +156,7 @@ class ColumnTable:
         if matches:
             return matches[0].readable()
         raise RecordingError(
-            f"no column {key!r}",
+            Phrase("no column {key!r}", key=key),
             where=self.file,
             found=", ".join(column.label for column in self.columns),
             hint=next(
@@ -238,7 +239,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
         if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
             remarks += (finding("core.cut_off", str(file)),)
     except csv.Error as error:
-        raise RecordingError(f"not a table ({error})", where=str(file)) from None
+        raise RecordingError(Phrase("not a table ({error})", error=str(error)), where=str(file)) from None
     if start > first:
         remarks = (finding("core.header_below", str(file), kind="line", number=start + 1), *remarks)
     return ColumnTable(columns, comments, str(file), numbers, remarks)
@@ -284,7 +285,7 @@ def _check_memory(size: int, file: Path) -> None:
             "the file needs more memory than is available",
             where=str(file),
             found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",
-            allowed=f"{free / 1e9:.3g} GB",
+            allowed=Phrase("{free:.3g} GB", free=free / 1000000000.0),
             hint="Export fewer channels or a part of the record, or a binary format (.mf4, .tdms, .parquet, .mat).",
         )
 
@@ -543,12 +544,18 @@ def _is_number(cell: str) -> bool:
 def _check_header(header: list[str], file: Path, line: int, separator: str, named: int) -> None:
     where = at_line(file, line)
     if any(len(cell) > _LONGEST_CELL for cell in header):
-        raise RecordingError("a cell of the header is too long", where=where, allowed=f"{_LONGEST_CELL} characters")
+        raise RecordingError(
+            "a cell of the header is too long",
+            where=where,
+            allowed=Phrase("{longest_cell} characters", longest_cell=_LONGEST_CELL),
+        )
     if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
         found, allowed = separator.join(header), "'name [unit]' for every column"
         if named:
             raise RecordingError(
-                f"the given header names {named} columns, the file has {len(header)}", where=where, found=found
+                Phrase("the given header names {named} columns, the file has {count}", named=named, count=len(header)),
+                where=where,
+                found=found,
             )
         hint = "Write it above the numbers, or give all names in their order: columns = 'time [s], force [N]'."
         raise RecordingError("the header is missing", where=where, found=found, allowed=allowed, hint=hint)
@@ -804,16 +811,16 @@ def _ragged(row: list[str], header: list[str], where: str, separator: str) -> Re
     if header[-1] == "" and len(row) == len(header):
         mark = _SEPARATOR_NAMES[separator]
         return RecordingError(
-            f"the header ends with a {mark} that this row does not have",
+            Phrase("the header ends with a {mark} that this row does not have", mark=mark),
             where=where,
-            hint=f"Remove the {mark} at the end of the header.",
+            hint=Phrase("Remove the {mark} at the end of the header.", mark=mark),
         )
     halves = separator == "," and len(row) == 2 * columns
     return RecordingError(
         "the row does not have as many cells as the header",
         where=where,
         found=f"{len(row)} cells",
-        allowed=f"{columns} cells ({', '.join(header[:columns])})",
+        allowed=Phrase("{columns} cells ({header})", columns=columns, header=", ".join(header[:columns])),
         hint="Decimal commas? Separate the columns by semicolons, or write 1.5, not 1,5." if halves else "",
     )
 
@@ -824,7 +831,11 @@ def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
         return RecordingError("the cell is blank", where=where, allowed="a number", hint=hint)
     if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(
-            "decimal comma", where=where, found=cell, allowed="a decimal point", hint=f"Write {cell.replace(',', '.')}."
+            "decimal comma",
+            where=where,
+            found=cell,
+            allowed="a decimal point",
+            hint=Phrase("Write {cell}.", cell=cell.replace(",", ".")),
         )
     if _is_number(cell):
         return RecordingError("not a finite number", where=where, found=cell, hint="Fill the gap or remove the row.")

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import JounceError, shown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 
@@ -63,7 +64,9 @@ def _numbers(values: Any) -> tuple[NDArray[Any], str]:
         _refuse(array.imag != 0.0, "has an imaginary part")
         return array.real, unit
     if kind not in "biufmM" and (kind != "V" or array.dtype.type is np.void):  # bfloat16 is a kind of "V"
-        raise _NoNumberError("text, not numbers" if kind in "SUT" else f"{array.dtype} is no kind of number")
+        raise _NoNumberError(
+            "text, not numbers" if kind in "SUT" else Phrase("{dtype} is no kind of number", dtype=array.dtype)
+        )
     return array, unit
 
 
@@ -103,7 +106,9 @@ def _stacked(items: list[Any]) -> tuple[NDArray[Any], str]:
     kinds = {part.dtype.kind if part.dtype.kind in "mM" else "f" for part, _ in parts}
     units = {unit for _, unit in parts}
     if len(kinds) > 1 or len(units) > 1:
-        raise _NoNumberError(f"numbers of several kinds or units ({', '.join(sorted(units | kinds))})")
+        raise _NoNumberError(
+            Phrase("numbers of several kinds or units ({units})", units=", ".join(sorted(units | kinds)))
+        )
     return np.array([part for part, _ in parts]), units.pop()
 
 
@@ -122,7 +127,7 @@ def _scalar(value: Any) -> tuple[NDArray[Any], str]:
         if value.tzinfo is not None:
             return np.array(value.astimezone(UTC).replace(tzinfo=None), "M8[us]"), _ZONED
         return np.array(value, "M8[us]"), ""
-    raise _NoNumberError(f"{shown(value)} is no number")
+    raise _NoNumberError(Phrase("{value} is no number", value=shown(value)))
 
 
 _REAL = (float, int, np.floating, np.integer)  # NumPy's durations count as integers, too

@@ -9,6 +9,7 @@ from pathlib import Path
 from types import ModuleType
 
 from jounce.core.errors import JounceError
+from jounce.core.phrases import Phrase
 
 
 class MissingPackageError(JounceError):
@@ -27,7 +28,8 @@ def require(module: str, extra: str) -> ModuleType:
         if error.name is None or error.name.partition(".")[0] != module.partition(".")[0]:
             raise
         raise MissingPackageError(
-            f"the package {module!r} is not installed", hint=f"Install it with: {how_to_install(extra)}"
+            Phrase("the package {module!r} is not installed", module=module),
+            hint=Phrase("Install it with: {how_to_install}", how_to_install=how_to_install(extra)),
         ) from None
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -76,9 +77,11 @@ def pairs(texts: Sequence[str] | None, where: str, example: str) -> dict[str, st
         name, equals, value = text.partition("=")
         name, value = name.strip(), value.strip()
         if not (equals and name and value):
-            raise DescriptionError("not NAME=VALUE", where=where, found=text, allowed=f"e.g. {example}")
+            raise DescriptionError(
+                "not NAME=VALUE", where=where, found=text, allowed=Phrase("e.g. {example}", example=example)
+            )
         if name in split:
-            raise DescriptionError(f"{name!r} is given twice", where=where, found=text)
+            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where=where, found=text)
         split[name] = value
     return split
 

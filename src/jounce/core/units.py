@@ -80,12 +80,12 @@ def _parsed(unit: str) -> Any:
     """The library's unit of a text; ValueError if it is none, or far too long or raised too high."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
     if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
-        raise ValueError(f"{unit[:_LONGEST_UNIT]!r} is not a unit")
+        raise ValueError(Phrase("{unit!r} is not a unit", unit=unit[:_LONGEST_UNIT]))
     try:
         result = _registry().Unit(plain)
         _registry().Quantity(1.0, result).to_root_units()
     except Exception as error:
-        raise ValueError(f"{unit!r} is not a unit") from error
+        raise ValueError(Phrase("{unit!r} is not a unit", unit=unit)) from error
     return result
 
 
@@ -241,7 +241,9 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
     if isinstance(value, str):
         return to_si(value, si, where=where)
     found = "None" if value is None else value
-    refusal = DescriptionError("not a physical value", where=where, found=found, allowed=f"'<number> <unit of {si}>'")
+    refusal = DescriptionError(
+        "not a physical value", where=where, found=found, allowed=Phrase("'<number> <unit of {si}>'", si=si)
+    )
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise refusal
     try:

@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -388,7 +389,7 @@ def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[s
         else "the lengths do not reach this",
         where=", ".join(wished),
         found=wishes,
-        allowed=f"about {' and '.join(texts)}, each by itself ({', '.join(used)})",
+        allowed=Phrase("about {texts}, each by itself ({used})", texts=" and ".join(texts), used=", ".join(used)),
         hint="Use wedges (camber_wedge, toe_wedge) for the rest.",
     )
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.seeds import is_whole
 from jounce.core.types import Array
 from jounce.design.problem import (
@@ -193,7 +194,9 @@ def cases_problem(
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
-            raise DescriptionError("no metric uses it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
+            raise DescriptionError(
+                "no metric uses it", where=f"cases.{case}", hint=Phrase('e.g. "{case}: sprung.az"', case=case)
+            )
         judges[case], case_notes = _build_evaluator(cases[case], families, numbers, tuple(asked.values()), case)
         notes += [note for note in case_notes if str(note) not in map(str, notes)]
     words = ", ".join(f"{case} ({_describe_case(given)})" for case, given in cases.items())

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
@@ -208,7 +209,7 @@ def _bounds(
                 "too wide a range for a hardpoint",
                 where=f"{where}.within",
                 found=f"{np.max(width):g} m",
-                allowed=f"up to {_FAR:g} m",
+                allowed=Phrase("up to {far:g} m", far=_FAR),
                 hint='A bare number is in metres; write "15 mm".',
             )
         return at - width, at + width
@@ -218,7 +219,7 @@ def _bounds(
             "not a box of this point",
             where=f"{where}.box",
             found=f"{[len(corner) for corner in corners]} numbers",
-            allowed=f"lower and upper corner of {size} each",
+            allowed=Phrase("lower and upper corner of {size} each", size=size),
         )
     low, high = (np.array([to_si(bound, unit, where=f"{where}.box") for bound in corner]) for corner in corners)
     farthest = float(max(np.max(np.abs(low)), np.max(np.abs(high))))
@@ -227,7 +228,7 @@ def _bounds(
             "too far away for a hardpoint",
             where=f"{where}.box",
             found=f"{farthest:g} m",
-            allowed=f"up to {LONGEST:g} m",
+            allowed=Phrase("up to {longest:g} m", longest=LONGEST),
             hint='A bare number is in metres; write "40 mm".',
         )
     if np.any(low >= high):

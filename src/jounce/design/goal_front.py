@@ -14,6 +14,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
@@ -154,7 +155,12 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     True
     """
     if not _FEWEST <= points <= _MOST:
-        raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+        raise DescriptionError(
+            "not a number of points",
+            where="points",
+            found=points,
+            allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),
+        )
     names = [goals] if isinstance(goals, str) else [str(goal) for goal in goals]
     if not _FEWEST_GOALS <= len(names) <= MOST_GOALS or len(set(names)) < len(names):
         allowed = f"{_FEWEST_GOALS} to {MOST_GOALS} different metrics"

@@ -11,6 +11,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.design.front_search import SHARE, Aim, FrontSearch
@@ -144,7 +145,12 @@ def kinematic_front(
     True
     """
     if not _FEWEST <= points <= _MOST:
-        raise DescriptionError("not a number of designs", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+        raise DescriptionError(
+            "not a number of designs",
+            where="points",
+            found=points,
+            allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),
+        )
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
     return front_of(read_task(rig, free, targets, vehicle, shapes), points, starts, seed)
@@ -195,7 +201,7 @@ def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[in
             "at least two goals are needed",
             where="target",
             found=", ".join(goals) or "none",
-            allowed=f"2 to {MOST_GOALS} goals",
+            allowed=Phrase("2 to {most_goals} goals", most_goals=MOST_GOALS),
             hint='Give targets that belong together the same goal = "...", and constraints must = true.',
         )
     return {name: tuple(members) for name, members in goals.items()}, held

@@ -57,7 +57,12 @@ class FreePoint(Description):
     @model_validator(mode="after")
     def _check_bounds(self) -> FreePoint:
         if (self.within is None) == (self.box is None):
-            raise ValueError(f'give either within = "15 mm" or box = [[lower corner], [upper corner]] of {self.point}')
+            raise ValueError(
+                Phrase(
+                    'give either within = "15 mm" or box = [[lower corner], [upper corner]] of {point}',
+                    point=self.point,
+                )
+            )
         if self.along is not None:
             if self.box is not None:
                 raise misplaced(("box",), "a line has no box", allowed="within, to either side along it")

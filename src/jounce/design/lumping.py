@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.moved_rigs import rigs_along
@@ -261,7 +262,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
             "no strut angle has this motion ratio",
             where="damper",
             found=f"{ratio:.4g}",
-            allowed=f"{lowest:.3g} to 1",
+            allowed=Phrase("{lowest:.3g} to 1", lowest=lowest),
             hint="Describe the quarter car by hand, with rates and coefficients at the wheel.",
         )
     sprung, unsprung = lumping.effective_masses

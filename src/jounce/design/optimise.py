@@ -12,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
@@ -144,7 +145,12 @@ def search(
     It ends when the objective changes by less than ``precision`` (1) between steps.
     """
     if not 1 <= starts <= _MOST_STARTS:
-        raise FitError("not a number of searches", where="starts", found=starts, allowed=f"1 to {_MOST_STARTS}")
+        raise FitError(
+            "not a number of searches",
+            where="starts",
+            found=starts,
+            allowed=Phrase("1 to {most_starts}", most_starts=_MOST_STARTS),
+        )
     first = problem.start if begin is None else begin
     points = [first]
     if starts > 1:
@@ -547,7 +553,9 @@ def check_kept(problem: DesignProblem, result: SearchResult) -> None:
         where=f"constraints: {channel if channel.endswith(limit.metric.text) else limit.metric.text}",
         found=f"{reached:.4g}{unit}",
         allowed=f"{'at most' if side == 'upper' else 'at least'} {bound:.4g}{unit}",
-        hint=f"This is where the limits are broken least ({design}); loosen them or widen the bounds.",
+        hint=Phrase(
+            "This is where the limits are broken least ({design}); loosen them or widen the bounds.", design=design
+        ),
     )
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
@@ -294,7 +295,12 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     True
     """
     if not _FEWEST <= points <= _MOST:
-        raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+        raise DescriptionError(
+            "not a number of points",
+            where="points",
+            found=points,
+            allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),
+        )
     rig = as_rig(rig)
     given: dict[str, Any] = {"road": road, "speed": speed, "band": band}
     chosen = {name: value for name, value in given.items() if value is not None}

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, nearest, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import Bounds, FreeParameter, free_parameters
@@ -98,7 +99,11 @@ def _kind(word: str, text: str, where: str) -> tuple[str, str]:
         return word, ""
     allowed = ", ".join([*KINDS, *WEIGHTINGS])
     raise DescriptionError(
-        f"no such number of a channel: {word!r}", where=where, found=text, allowed=allowed, hint=nearest(word, KINDS)
+        Phrase("no such number of a channel: {word!r}", word=word),
+        where=where,
+        found=text,
+        allowed=allowed,
+        hint=nearest(word, KINDS),
     )
 
 
@@ -195,7 +200,7 @@ def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
     values, left, right = eig(a, left=True, right=True)
     pairs = _pairs(values)
     if metric.mode > len(pairs):
-        raise FitError(f"there are {len(pairs)} modes only", where=metric.text)
+        raise FitError(Phrase("there are {count} modes only", count=len(pairs)), where=metric.text)
     i, j = pairs[metric.mode - 1]
     first, second = values[i], values[j]
     moves = [
@@ -545,7 +550,9 @@ def stationary_evaluator(
     """Metrics on a road: white noise where all of them are finite there, otherwise over the band of ISO 8608."""
     if road is None or speed is None:
         missing = "road" if road is None else "speed"
-        raise DescriptionError(f"no {missing}", where=missing, hint='Give road="C" and speed="20 m/s", or a trial.')
+        raise DescriptionError(
+            Phrase("no {missing}", missing=missing), where=missing, hint='Give road="C" and speed="20 m/s", or a trial.'
+        )
     given = {name: value for name, value in settings.items() if value is not None}
     reasons: dict[str, str] = {}
     for metric in metrics:

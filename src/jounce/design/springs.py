@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Number, Switch, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
@@ -96,7 +97,9 @@ def _axle(rig: Rig, name: str, mass: float) -> WheelCarriage:
 
 def _rate(path: str, rate: float | None) -> str:
     if rate is None:
-        raise DescriptionError("the spring is a curve without a single rate", where=path, allowed=f"{path}.rate")
+        raise DescriptionError(
+            "the spring is a curve without a single rate", where=path, allowed=Phrase("{path}.rate", path=path)
+        )
     return f"{path}.rate"
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Number, Switch, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -410,7 +411,10 @@ def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> Ri
     mass = whole.mass - part.mass
     if mass <= 0.0:
         raise OutputError(
-            "more than the body has", where="wheel_mass", found=f"{part.mass:g} kg", allowed=f"below {whole.mass:g} kg"
+            "more than the body has",
+            where="wheel_mass",
+            found=f"{part.mass:g} kg",
+            allowed=Phrase("below {mass:g} kg", mass=whole.mass),
         )
     centres = np.array(whole.centre_of_mass), np.array(part.centre_of_mass)
     centre = (whole.mass * centres[0] - part.mass * centres[1]) / mass

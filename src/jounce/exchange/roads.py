@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Number, Switch, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.typed import LONGEST
 from jounce.core.types import Array
@@ -120,12 +121,12 @@ def write_road(
             "the road is not known over this distance",
             where="length",
             found=f"{length:g} m",
-            allowed=f"up to {known:g} m",
+            allowed=Phrase("up to {known:g} m", known=known),
         )
     count = round(length / step) + 1
     if not 2 <= count <= _MOST:
         raise DescriptionError(
-            "not a number of points", where="step", found=f"{count} points", allowed=f"2 to {_MOST}",
+            "not a number of points", where="step", found=f"{count} points", allowed=Phrase("2 to {most}", most=_MOST),
             hint="Give another step or length.",
         )  # fmt: skip
     x = step * np.arange(count)

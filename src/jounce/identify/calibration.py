@@ -14,6 +14,7 @@ from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import FitError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Columns, File, operation
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.serialise import Plain
@@ -127,7 +128,7 @@ def fit_calibration(
     for what, values in (("points of one size", x), ("a recorded value that does not change", y)):
         if np.ptp(values) == 0.0:
             raise FitError(
-                f"{what} tell nothing of a sensitivity" if values is x else what,
+                Phrase("{what} tell nothing of a sensitivity", what=what) if values is x else what,
                 where=name,
                 found=f"{values[0]:g}",
                 hint="Calibrate at two sizes at least that are far apart.",
@@ -271,11 +272,13 @@ def _unusable(what: str, column: Column | None, table: ColumnTable, file: str, a
     bare = next((one.name for one in ([column] if column else table) if not one.unit), "")
     name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
     return FitError(
-        f"not a calibration: no column of {what} with its unit",
+        Phrase("not a calibration: no column of {what} with its unit", what=what),
         where=file,
         found=", ".join(one.label for one in ([column] if column else table)),
-        allowed=f"a unit that is {allowed}",
-        hint=f"State the unit: --columns {name}='{bare} [{unit}]'." if bare else "",
+        allowed=Phrase("a unit that is {allowed}", allowed=allowed),
+        hint=Phrase("State the unit: --columns {name}='{bare} [{unit}]'.", name=name, bare=bare, unit=unit)
+        if bare
+        else "",
     )
 
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.identify.warping import warping_path
@@ -229,7 +230,7 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
             "the signals cannot be rated",
             where=place,
             found=f"shapes {reference.shape} and {compared.shape}",
-            allowed=f"two signals of the same length, at least {SHORTEST} samples",
+            allowed=Phrase("two signals of the same length, at least {shortest} samples", shortest=SHORTEST),
         )
     if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
         raise FitError("a signal to be rated holds values that are not finite", where=place)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import FitError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.identify.damper_record import DamperMotion
 from jounce.identify.estimate import Estimate, central_differences, uncertainty
@@ -143,7 +144,9 @@ def damper_law(
     if not law.hysteretic:
         return _with_offset(law, motion, friction)
     if friction:
-        raise FitError(f"the law {name!r} contains dry friction already", allowed="friction only with F(v) laws")
+        raise FitError(
+            Phrase("the law {name!r} contains dry friction already", name=name), allowed="friction only with F(v) laws"
+        )
     return law
 
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
@@ -910,7 +911,9 @@ def _in_window(
             "the time window leaves too few samples",
             where=name,
             found=f"{np.count_nonzero(inside)} from {low:g} s to {high:g} s",
-            allowed=f"at least {_FEWEST} within {t[0]:g} s to {t[-1]:g} s",
+            allowed=Phrase(
+                "at least {fewest} within {t:g} s to {second_t:g} s", fewest=_FEWEST, t=t[0], second_t=t[-1]
+            ),
         )
     if np.ptp(signal[inside]) == 0.0:
         raise FitError("the record never changes in the time window", where=name, found=f"{low:g} s to {high:g} s")
@@ -976,7 +979,9 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
         last = int(np.searchsorted(t, peaks.time[-1], side="right"))
     t, signal = t[first:last], signal[first:last]
     if len(t) < _FEWEST:
-        raise FitError("too few samples of a free decay", found=len(t), allowed=f"at least {_FEWEST}")
+        raise FitError(
+            "too few samples of a free decay", found=len(t), allowed=Phrase("at least {fewest}", fewest=_FEWEST)
+        )
     early = _early(t, peaks)
     values, _, residual = _fit(t[early], signal[early], _starts(peaks, quantity), quantity)
     opening = t[early] <= t[0] + peaks.half_period()
@@ -994,21 +999,36 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
     (other,) = given
     if given[other] is not None:
         raise FitError(
-            f"{_AN[motion.inertia_word]} {motion.inertia_word} swings in a record of this quantity",
+            Phrase(
+                "{an} {inertia_word} swings in a record of this quantity",
+                an=_AN[motion.inertia_word],
+                inertia_word=motion.inertia_word,
+            ),
             where=name,
             found=f"{other} = {given[other]}, quantity {quantity}",
-            allowed=f"{motion.inertia_word} in {spoken(motion.inertia)}",
+            allowed=Phrase(
+                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=spoken(motion.inertia)
+            ),
         )
     if stated is None:
         raise FitError(
-            f"no {motion.inertia_word} of what swings: a decay knows only ratios to it",
+            Phrase(
+                "no {inertia_word} of what swings: a decay knows only ratios to it", inertia_word=motion.inertia_word
+            ),
             where=name,
             found=f"quantity {quantity}",
-            allowed=f"{motion.inertia_word} in {spoken(motion.inertia)}",
+            allowed=Phrase(
+                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=spoken(motion.inertia)
+            ),
         )
     value = as_number(stated, motion.inertia, where=f"{name}: {motion.inertia_word}")
     if not (math.isfinite(value) and value > 0.0):
-        raise FitError(f"the {motion.inertia_word} is not positive", where=name, found=value, allowed="above 0")
+        raise FitError(
+            Phrase("the {inertia_word} is not positive", inertia_word=motion.inertia_word),
+            where=name,
+            found=value,
+            allowed="above 0",
+        )
     return value
 
 
@@ -1026,7 +1046,7 @@ def _check_record(
             "time and record are not two columns of the same length", where=name, found=f"{t.shape} and {signal.shape}"
         )
     if len(t) < _FEWEST:
-        raise FitError("too few samples", where=name, found=len(t), allowed=f"at least {_FEWEST}")
+        raise FitError("too few samples", where=name, found=len(t), allowed=Phrase("at least {fewest}", fewest=_FEWEST))
     bad = np.flatnonzero(~(np.isfinite(t) & np.isfinite(signal)))
     if len(bad):
         raise FitError("a value is missing or not finite", where=name, found=f"sample {bad[0] + 1}")

@@ -17,6 +17,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.segments import Segments
 from jounce.core.shown import Shown
 from jounce.core.text import place_in
@@ -323,7 +324,7 @@ class UpdateProblem:
             raise FitError(
                 "fewer data than parameters",
                 found=f"{count} samples",
-                allowed=f"at least {unknowns}",
+                allowed=Phrase("at least {unknowns}", unknowns=unknowns),
                 hint="Give longer recordings or free fewer parameters.",
             )
         self._last: tuple[bytes, Residuals] | None = None
@@ -533,7 +534,9 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
     if len(time) < _FEWEST:
-        raise FitError("too few samples", where=trial.name, found=len(time), allowed=f"at least {_FEWEST}")
+        raise FitError(
+            "too few samples", where=trial.name, found=len(time), allowed=Phrase("at least {fewest}", fewest=_FEWEST)
+        )
     rate = 1.0 / float(np.median(np.diff(time)))
     times, uniform = _from_rest(time, rate)
     if time[-1] < trial.trial.obstacle_end():
@@ -541,7 +544,7 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
             "the recording ends before the obstacle pass does",
             where=trial.name,
             found=f"{time[-1]:.4g} s",
-            allowed=f"at least {trial.trial.obstacle_end():.4g} s",
+            allowed=Phrase("at least {obstacle_end:.4g} s", obstacle_end=trial.trial.obstacle_end()),
             hint="Check speed and start, or record longer.",
         )
     channels = [_channel(trial, compiled, name, weights) for name in common]
@@ -636,7 +639,7 @@ def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") ->
                 "the bounds exclude the start value",
                 where=place,
                 found=f"{initial:g}",
-                allowed=f"{lower:g} to {upper:g}",
+                allowed=Phrase("{lower:g} to {upper:g}", lower=lower, upper=upper),
                 hint="Move the bounds or the start value.",
             )
         found.append(FreeParameter(path, initial, lower, upper))

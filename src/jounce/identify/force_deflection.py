@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -65,7 +66,11 @@ class ForceDeflectionTrial(Shown):
         force = as_samples(self.force, motion.force, where=at[1], error=FitError)
         if deflection.ndim != 1 or deflection.shape != force.shape:
             raise FitError(
-                f"{motion.deflection_word} and {motion.force_word} are not two columns of the same length",
+                Phrase(
+                    "{deflection_word} and {force_word} are not two columns of the same length",
+                    deflection_word=motion.deflection_word,
+                    force_word=motion.force_word,
+                ),
                 where=self.name,
                 found=f"shapes {deflection.shape} and {force.shape}",
             )
@@ -82,10 +87,10 @@ class ForceDeflectionTrial(Shown):
             raise FitError("too few points", where=self.name, found=len(deflection), allowed="at least 3")
         if np.ptp(deflection) == 0.0:
             raise FitError(
-                f"the {motion.deflection_word} never changes",
+                Phrase("the {deflection_word} never changes", deflection_word=motion.deflection_word),
                 where=self.name,
                 found=f"{deflection[0]:g} {motion.deflection} throughout",
-                hint=f"Is the column the imposed {motion.deflection_word}?",
+                hint=Phrase("Is the column the imposed {deflection_word}?", deflection_word=motion.deflection_word),
             )
         return deflection, force
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import as_number
@@ -65,7 +66,9 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     )
     for name, value, (least, most) in zip(_RANGES, (rate, sigma, exponent, start), _RANGES.values(), strict=True):
         if not least - _BEYOND <= value <= most + _BEYOND:
-            raise DescriptionError("out of range", where=name, found=value, allowed=f"{least:g} to {most:g}")
+            raise DescriptionError(
+                "out of range", where=name, found=value, allowed=Phrase("{least:g} to {most:g}", least=least, most=most)
+            )
     state = np.empty(len(path))
     _follow(path, rate, sigma, exponent, start, state)
     return state

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import FitError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, FreeParameter
 from jounce.recordings.sensors import Sensor
@@ -205,5 +206,10 @@ def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:
         raise FitError("not a range of speeds", where=place, found=bounds, allowed='"5 %" or [lower, upper]')
     lower, upper = (to_si(value, "m/s", where=place) for value in bounds)
     if not 0.0 < lower < speed < upper:
-        raise FitError("the bounds exclude the speed", where=place, found=list(bounds), allowed=f"around {speed:g} m/s")
+        raise FitError(
+            "the bounds exclude the speed",
+            where=place,
+            found=list(bounds),
+            allowed=Phrase("around {speed:g} m/s", speed=speed),
+        )
     return lower, upper

@@ -16,6 +16,7 @@ import xarray as xr
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import positive_si
@@ -192,8 +193,13 @@ def find_passages(
             "the obstacle is not found in the record",
             where=name,
             found=f"at best a correlation of {sign * like[best]:.2f}",
-            allowed=f"{_LIKE:g} or more with the model's response to {_describe(road)} at {velocity:.3g} m/s "
-            f"in {', '.join(names)}",
+            allowed=Phrase(
+                "{like:g} or more with the model's response to {describe} at {velocity:.3g} m/s in {names}",
+                like=_LIKE,
+                describe=_describe(road),
+                velocity=velocity,
+                names=", ".join(names),
+            ),
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
         )
         error.sought = _sought(data, names, sign * signs, expected, best, step, float(sign * like[best]))

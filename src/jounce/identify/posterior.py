@@ -17,6 +17,7 @@ import numpy as np
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows, group_table, own_unit
 from jounce.core.seeds import check_seed, is_whole
 from jounce.core.serialise import Plain
@@ -412,7 +413,10 @@ def posterior_of(
     for path, (value, lower, upper) in free.items():
         if not lower <= value <= upper or not lower < upper:
             raise FitError(
-                "the bounds exclude the estimate", where=path, found=value, allowed=f"{lower:g} to {upper:g}"
+                "the bounds exclude the estimate",
+                where=path,
+                found=value,
+                allowed=Phrase("{lower:g} to {upper:g}", lower=lower, upper=upper),
             )
         limits.append(FreeParameter(path, value, lower, upper))
     if not limits:
@@ -449,7 +453,9 @@ def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
     check_seed(seed, FitError)
     for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 2, 10_000)):
         if not (is_whole(given) and low <= given <= high):
-            raise FitError("not a number of draws", where=where, found=given, allowed=f"{low} to {high}")
+            raise FitError(
+                "not a number of draws", where=where, found=given, allowed=Phrase("{low} to {high}", low=low, high=high)
+            )
 
 
 def _check_names(trials: Sequence[FitTrial], where: str) -> None:

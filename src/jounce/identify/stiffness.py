@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.serialise import Plain
@@ -139,7 +140,7 @@ def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, interce
             "fewer points than the law needs",
             where=where,
             found=f"{len(np.unique(deflection))} different deflections",
-            allowed=f"more than {needed} for law {law!r}",
+            allowed=Phrase("more than {needed} for law {law!r}", needed=needed, law=law),
             hint="Discard less, lower the degree or choose a simpler law.",
         )
     if law == "linear":
@@ -415,7 +416,7 @@ def fit_stiffness(
         operating_force = as_number(operating_force, motion.force, where="operating_force")
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
         raise FitError(
-            f"not a static {motion.force_word}",
+            Phrase("not a static {force_word}", force_word=motion.force_word),
             where="operating_force",
             found=f"{operating_force} {spoken(motion.force)}",
             allowed="above 0",
@@ -513,13 +514,15 @@ def _check(
         raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
         raise FitError(
-            f"discard_below is no {motion.deflection_word}",
+            Phrase("discard_below is no {deflection_word}", deflection_word=motion.deflection_word),
             found=f"{discard_below} {motion.deflection}",
-            allowed=f"0 {motion.deflection} or more",
+            allowed=Phrase("0 {deflection} or more", deflection=motion.deflection),
         )
     if law != "linear" and intercept != "drop":
         raise FitError(
-            f"the law {law!r} passes through the origin and has no intercept", found=intercept, allowed="'drop'"
+            Phrase("the law {law!r} passes through the origin and has no intercept", law=law),
+            found=intercept,
+            allowed="'drop'",
         )
 
 

@@ -17,6 +17,7 @@ import mmap
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
@@ -46,7 +47,13 @@ def warping_path(
     x = np.ascontiguousarray(compared, dtype=np.float64)
     backwards = np.ascontiguousarray(np.asarray(reference, dtype=np.float64)[::-1])
     if x.shape != backwards.shape or x.ndim != 1 or x.size == 0:
-        raise ValueError(f"two signals of the same length are needed, got shapes {x.shape} and {backwards.shape}")
+        raise ValueError(
+            Phrase(
+                "two signals of the same length are needed, got shapes {shape} and {second_shape}",
+                shape=x.shape,
+                second_shape=backwards.shape,
+            )
+        )
     band = max(int(radius), 0)
     if narrow is None:
         narrow = band // _NARROW if band > _WIDE and _pays(x, backwards, band) else -1

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.operation import Count, File, operation
+from jounce.core.phrases import Phrase
 from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
@@ -201,7 +202,9 @@ def study_equivalence(
     144
     """
     if not 2 <= points <= _MOST_POINTS:
-        raise DescriptionError("out of range", where="points", found=points, allowed=f"2 to {_MOST_POINTS}")
+        raise DescriptionError(
+            "out of range", where="points", found=points, allowed=Phrase("2 to {most_points}", most_points=_MOST_POINTS)
+        )
     return compare_tests(
         as_rig(rig),  # type: ignore[arg-type]
         factors=usual_factors(points),

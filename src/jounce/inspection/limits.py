@@ -116,7 +116,12 @@ class Criterion(Description):
         for i, band in enumerate(self.bands):
             if not band.start < band.end:
                 raise misplaced(
-                    ("bands", i), f"empty: from {self._limit_text(band.start)} to {self._limit_text(band.end)}"
+                    ("bands", i),
+                    Phrase(
+                        "empty: from {limit_text} to {second_limit_text}",
+                        limit_text=self._limit_text(band.start),
+                        second_limit_text=self._limit_text(band.end),
+                    ),
                 )
         for i, (low, high) in enumerate(zip(self.bands[:-1], self.bands[1:], strict=True), 1):
             if math.isclose(low.end, high.start, rel_tol=1e-9):
@@ -126,7 +131,9 @@ class Criterion(Description):
             )
             names = f"{low.label!r} and {high.label!r}"
             text = f"{what} from {self._limit_text(ends[0])} to {self._limit_text(ends[1])}, between {names}"
-            raise misplaced(("bands", i), f"{text}; each band must begin where the one before it ends")
+            raise misplaced(
+                ("bands", i), Phrase("{text}; each band must begin where the one before it ends", text=text)
+            )
         return self
 
     def _limit_text(self, value: float) -> str:

@@ -16,6 +16,7 @@ from jounce.core.description import description_text, toml_error, toml_table
 from jounce.core.errors import DescriptionError, RecordingError, nearest, nearest_name
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.inspection.findings import remark
 
@@ -125,7 +126,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
         except tomllib.TOMLDecodeError as error:
             raise toml_error(error, str(beside)) from None
         except UnicodeDecodeError as error:
-            raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
+            raise DescriptionError(Phrase("not valid TOML: {error}", error=str(error)), where=str(beside)) from None
     if file.is_file() and reader_of(file).name == "csv":
         for line in read_comments_csv(file):
             if "=" not in line:

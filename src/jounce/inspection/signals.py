@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO
 from jounce.parts.testers import Tester, TesterLimits
@@ -303,7 +304,11 @@ def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester
     turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))
     low, high = band_of(tester)
     if turns is None or turns.frequency.max() < high or turns.frequency.min() > low:
-        raise RecordingError("the plate does not pass through the band", where=where, allowed=f"{low:g} to {high:g} Hz")
+        raise RecordingError(
+            "the plate does not pass through the band",
+            where=where,
+            allowed=Phrase("{low:g} to {high:g} Hz", low=low, high=high),
+        )
     frequency = turns.frequency_at(time)
     wave = residual * np.exp(-1j * turns.angle(time))
     size = max(round(0.5 / (time[1] - time[0])), 8)

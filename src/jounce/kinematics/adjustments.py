@@ -9,6 +9,7 @@ from typing import TypeVar, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kinematics.moved_rigs import spin_axis
@@ -233,7 +234,12 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
                 "out of range",
                 where=name,
                 found=given,
-                allowed=f"{write_setting(low, setting.unit)} to {write_setting(high, setting.unit)} ({setting.source})",
+                allowed=Phrase(
+                    "{write_setting} to {second_write_setting} ({source})",
+                    write_setting=write_setting(low, setting.unit),
+                    second_write_setting=write_setting(high, setting.unit),
+                    source=setting.source,
+                ),
             )
         values[name] = value
     return values

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.operation import Described, MadeBy, Texts, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.typed import bare_number, pairs
 from jounce.kinematics.load_cases import LoadCase, LoadedAxle, load_case_table, solved_cases
@@ -70,9 +71,11 @@ def named_cases(
         name, colon, rest = text.partition(":")
         name = name.strip()
         if not (colon and name and rest.strip()):
-            raise DescriptionError("not a load case", where="--case", found=text, allowed=f"NAME: NAME=G, e.g. {_CASE}")
+            raise DescriptionError(
+                "not a load case", where="--case", found=text, allowed=Phrase("NAME: NAME=G, e.g. {case}", case=_CASE)
+            )
         if name in cases:
-            raise DescriptionError(f"{name!r} is given twice", where="--case", found=text)
+            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where="--case", found=text)
         given = pairs(rest.replace(",", " ").split(), "--case", _CASE)
         cases[name] = LoadCase.from_table({key: bare_number(value) for key, value in given.items()},
                                           where=f"--case {name}")  # fmt: skip

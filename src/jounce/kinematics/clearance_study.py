@@ -12,6 +12,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Texts, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.typed import quantity
 from jounce.kinematics.clearances import Rim, Shape, Solid, clearances, link_lengths
@@ -97,7 +98,7 @@ def named_pairs(
         if not (colon and name) or len(bodies) != 2:
             raise DescriptionError("not two bodies", where="--between", found=text, allowed=_ALLOWED)
         if name in named:
-            raise DescriptionError(f"{name!r} is given twice", where="--between", found=text)
+            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where="--between", found=text)
         where = f"--between {name}"
         named[name] = (_body(bodies[0].strip(), where), _body(bodies[1].strip(), where))
     return named

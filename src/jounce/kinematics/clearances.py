@@ -12,6 +12,7 @@ from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
 from jounce.kernel.poses import REACHED
@@ -66,7 +67,13 @@ class Rim(Description):
     @model_validator(mode="after")
     def _has_width(self) -> Self:
         if self.inner >= self.outer:
-            raise ValueError(f"inner = {self.inner:g} m does not lie inboard of outer = {self.outer:g} m")
+            raise ValueError(
+                Phrase(
+                    "inner = {inner:g} m does not lie inboard of outer = {outer:g} m",
+                    inner=self.inner,
+                    outer=self.outer,
+                )
+            )
         return self
 
 

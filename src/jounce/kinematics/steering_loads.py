@@ -6,6 +6,7 @@ from typing import Annotated, Any, TypeAlias
 
 from jounce.core.errors import DescriptionError
 from jounce.core.operation import MadeBy, Number, Pairs, operation
+from jounce.core.phrases import Phrase
 from jounce.core.typed import bare_numbers
 from jounce.kinematics.effort import steering_effort
 from jounce.kinematics.loads import ContactLoad
@@ -47,7 +48,9 @@ def both_loads(
 
 def _load(given: dict[str, str], option: str) -> ContactLoad:
     if not given:
-        raise DescriptionError("no load from the road", where=option, allowed=f"--load {_LOAD}, or --left and --right")
+        raise DescriptionError(
+            "no load from the road", where=option, allowed=Phrase("--load {load}, or --left and --right", load=_LOAD)
+        )
     return ContactLoad.from_table(bare_numbers(ContactLoad, given, f"{option} {{}}".format), where=option)
 
 

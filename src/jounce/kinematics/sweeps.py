@@ -78,7 +78,12 @@ def text_range(text: str, unit: str, where: str) -> Array:
     refuse_metres(np.array([first, last]), where, unit, text)
     count = (last - first) / step + _WHOLE
     if count > _MOST_POSES:
-        raise DescriptionError("too many values", where=where, found=f"{count:.3g}", allowed=f"at most {_MOST_POSES}")
+        raise DescriptionError(
+            "too many values",
+            where=where,
+            found=f"{count:.3g}",
+            allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
+        )
     return np.round(first + step * np.arange(int(count) + 1), 12)
 
 
@@ -125,7 +130,12 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
             hint="Sort them.",
         )
     if len(checked) > _MOST_POSES:
-        raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
+        raise DescriptionError(
+            "too many values",
+            where=name,
+            found=len(checked),
+            allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
+        )
     return checked
 
 
@@ -133,7 +143,10 @@ def grid(travel: Array, rack: Array) -> Grid:
     """Plan a walk: along the rack at the travel nearest to design, and from each of those along the travel."""
     if len(travel) * len(rack) > _MOST_POSES:
         raise DescriptionError(
-            "too many poses", where="travel, rack", found=len(travel) * len(rack), allowed=f"at most {_MOST_POSES}"
+            "too many poses",
+            where="travel, rack",
+            found=len(travel) * len(rack),
+            allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
         )
     rows, parents = _chain(travel), _parents(travel)
     columns, starts = _chain(rack), _parents(rack)
@@ -305,7 +318,7 @@ def ends_text(ends: Sequence[End]) -> str:
 def no_pose(ends: Sequence[End]) -> SimulationError:
     """Build the error for a sweep without any pose."""
     why = f": {ends[0]}" if ends else ""
-    return SimulationError(f"no pose of the sweep can be reached{why}", hint="Sweep a smaller range.")
+    return SimulationError(Phrase("no pose of the sweep can be reached{why}", why=why), hint="Sweep a smaller range.")
 
 
 def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, poses: Found) -> list[End]:
@@ -669,7 +682,12 @@ def path_values(values: Values, name: str, unit: str = "m") -> Array:
     if checked.ndim != 1 or not len(checked) or not np.all(np.isfinite(checked)):
         raise DescriptionError("not a list of finite values", where=name, found=str(values)[:60])
     if len(checked) > _MOST_POSES:
-        raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
+        raise DescriptionError(
+            "too many values",
+            where=name,
+            found=len(checked),
+            allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
+        )
     refuse_metres(checked, name, unit)
     return checked
 

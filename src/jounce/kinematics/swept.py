@@ -12,6 +12,7 @@ import numpy as np
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError
 from jounce.core.operation import Described, File, Mark, Switch, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.kinematics.axle import sweep_roll, sweep_steering
 from jounce.kinematics.both_wheels import sweep_axle
@@ -269,5 +270,7 @@ def _sweep_axle(
 def _single(values: Values, name: str, why: str) -> float:
     read = sweep_values(values, name)
     if len(read) > 1:
-        raise DescriptionError(f"only a single value can be used {why}", where=name, found=f"{len(read)} values")
+        raise DescriptionError(
+            Phrase("only a single value can be used {why}", why=why), where=name, found=f"{len(read)} values"
+        )
     return float(read[0])

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples, as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -252,7 +253,7 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
                     "too far away for a point of a corner; a bare number is in metres",
                     where=where,
                     found=f"{far:g} m",
-                    allowed=f"up to {LARGE:g} m",
+                    allowed=Phrase("up to {large:g} m", large=LARGE),
                     hint='Millimetres meant? Write "65 mm", or divide by 1000.',
                 )
             if part in columns:

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import AssemblyError
 from jounce.core.files import existing_file
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -139,7 +140,9 @@ def tube(
     rho, outer = _positive(density, "kg/m^3", "density"), _positive(outer_radius, "m", "outer radius")
     inner = to_si(inner_radius, "m", where="inner radius")
     if not 0.0 <= inner < outer:
-        raise AssemblyError("not an inner radius", found=f"{inner:g} m", allowed=f"0 to below {outer:g} m")
+        raise AssemblyError(
+            "not an inner radius", found=f"{inner:g} m", allowed=Phrase("0 to below {outer:g} m", outer=outer)
+        )
     first, last = _place(start, "start"), _place(end, "end")
     length = _positive(float(np.linalg.norm(last - first)), "m", "distance of the ends")
     axis = (last - first) / length
@@ -258,7 +261,7 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
 def _positive(value: Number, unit: str, what: str) -> float:
     number = to_si(value, unit, where=what)
     if not number > 0.0:
-        raise AssemblyError(f"not a {what}", found=f"{number:g} {unit}", allowed="above 0")
+        raise AssemblyError(Phrase("not a {what}", what=what), found=f"{number:g} {unit}", allowed="above 0")
     return number
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.turns import turn
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -262,7 +263,12 @@ class Mechanism(Structure):
         speeds = tuple(symbol.name() for part in (v, w) if part.numel() for symbol in ca.vertsplit(part))
         if (given := len(joint.efforts(child, self.ground))) != len(speeds):
             allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
-            raise AssemblyError(f"{given} efforts of {type(joint).__name__}", where=name, found=given, allowed=allowed)
+            raise AssemblyError(
+                Phrase("{given} efforts of {name}", given=given, name=type(joint).__name__),
+                where=name,
+                found=given,
+                allowed=allowed,
+            )
         self.hanging[joint.name] = HangingJoint(joint, parent, child, motion, coordinates, quaternion, speeds)
         self._refuse_clashes()
         return ca.vertcat(q, e)

@@ -13,6 +13,7 @@ import numpy as np
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError, JounceError, unknown
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.parts.rig import unit_of
 from jounce.plots.comparison import common_axis, common_channels
@@ -95,7 +96,9 @@ def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -
     value, si = known[path], unit_of(rig, path)
     if ends is None:
         if value == 0.0:
-            raise DescriptionError("half of zero is not a range", where=path, hint=f'Give its ends: ("0 {si}", ...).')
+            raise DescriptionError(
+                "half of zero is not a range", where=path, hint=Phrase('Give its ends: ("0 {si}", ...).', si=si)
+            )
         ends = ((1.0 - _SHARE) * value, (1.0 + _SHARE) * value)
     low, high = sorted(to_si(end, si, where=path) for end in ends)
     if not low < high:

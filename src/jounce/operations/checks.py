@@ -12,6 +12,7 @@ from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 from jounce.core.files import existing_file, matching_files
 from jounce.core.operation import Switch, Texts, operation
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.waiting import counted
 
@@ -207,7 +208,9 @@ def _check_rig(check: FileCheck) -> None:
     try:
         equilibrium(rig)
     except JounceError as error:
-        raise DescriptionError(f"it has no equilibrium: {error}", where=str(check.file)) from None
+        raise DescriptionError(
+            Phrase("it has no equilibrium: {error}", error=str(error)), where=str(check.file)
+        ) from None
 
 
 def _parameters(description: Any) -> dict[str, dict[str, float | str]]:

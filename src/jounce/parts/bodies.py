@@ -89,13 +89,20 @@ class Inertia(Description):
         shown = f"its principal moments are {smallest}, {middle} and {largest} kg m^2"
         if moments[0] <= 0.0:
             raise ValueError(
-                f"impossible inertia: {shown}, and all must be above 0; make the products xy, xz, yz smaller "
-                "or check their signs (xy = -integral of x y dm)"
+                Phrase(
+                    "impossible inertia: {shown}, and all must be above 0; make the products xy, xz, yz "
+                    "smaller or check their signs (xy = -integral of x y dm)",
+                    shown=shown,
+                )
             )
         if moments[2] > moments[0] + moments[1] + TRIANGLE_TOLERANCE * moments[2]:
             raise ValueError(
-                f"impossible inertia: {shown}, and the largest must not exceed the sum of the others "
-                f"({moments[0] + moments[1]:.6g}); check units and axes"
+                Phrase(
+                    "impossible inertia: {shown}, and the largest must not exceed the sum of the others "
+                    "({moments:.6g}); check units and axes",
+                    shown=shown,
+                    moments=moments[0] + moments[1],
+                )
             )
         return self
 

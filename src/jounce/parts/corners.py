@@ -136,7 +136,13 @@ class Hardpoints(Description):
     def _refuse_half(self, group: tuple[str, ...]) -> None:
         missing = [name for name in group if getattr(self, name) is None]
         if 0 < len(missing) < len(group):
-            raise ValueError(f"{' and '.join(missing)} missing; give all of {', '.join(group)}, or none of them")
+            raise ValueError(
+                Phrase(
+                    "{missing} missing; give all of {group}, or none of them",
+                    missing=" and ".join(missing),
+                    group=", ".join(group),
+                )
+            )
 
     def _refuse_equal(self, first: str, second: str) -> None:
         a, b = self.at(first), self.at(second)
@@ -354,11 +360,13 @@ class Corner(Rig):
         if missing:
             tables = [_TABLES[name] for name in missing]
             raise DescriptionError(
-                f"{what} cannot be had from hardpoints alone",
+                Phrase("{what} cannot be had from hardpoints alone", what=what),
                 where=self.source or "rig",
                 found=f"a rig without {', '.join(missing)}",
                 allowed="sweeps of its kinematics",
-                hint=f"Describe {' and '.join(filter(None, (', '.join(tables[:-1]), tables[-1])))}.",
+                hint=Phrase(
+                    "Describe {filter}.", filter=" and ".join(filter(None, (", ".join(tables[:-1]), tables[-1])))
+                ),
             )
 
     @property
@@ -446,7 +454,12 @@ class Corner(Rig):
         if missing:
             raise misplaced(
                 ("sprung",),
-                f'{", ".join(missing)} missing; guide = "{self.guide}" needs {", ".join(needed)}',
+                Phrase(
+                    '{missing} missing; guide = "{guide}" needs {needed}',
+                    missing=", ".join(missing),
+                    guide=self.guide,
+                    needed=", ".join(needed),
+                ),
             )
 
     def _check_attachments(self) -> None:

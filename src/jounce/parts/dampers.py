@@ -16,6 +16,7 @@ from pydantic import BaseModel, Discriminator, Field, Tag, model_validator
 from jounce.core.description import Description
 from jounce.core.errors import unknown
 from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.samples import Listed
 from jounce.core.types import Array
 from jounce.core.units import (
@@ -405,13 +406,21 @@ class MapDamper(DamperLaw):
         check_ascending("velocity", self.velocity)
         if len(self.force) != len(self.length):
             raise ValueError(
-                f"force has {len(self.force)} rows and length {len(self.length)} points; give one row for each length"
+                Phrase(
+                    "force has {count} rows and length {second_count} points; give one row for each length",
+                    count=len(self.force),
+                    second_count=len(self.length),
+                )
             )
         for i, row in enumerate(self.force):
             if len(row) != len(self.velocity):
                 raise misplaced(
                     ("force", i),
-                    f"this row has {len(row)} forces and velocity {len(self.velocity)} points; give as many of both",
+                    Phrase(
+                        "this row has {count} forces and velocity {second_count} points; give as many of both",
+                        count=len(row),
+                        second_count=len(self.velocity),
+                    ),
                 )
         return self
 

@@ -147,8 +147,13 @@ class CoilSpring(Description):
         require_one(self, "rate", "curve")
         if self.preload is not None and self.free_length is not None:
             raise ValueError(
-                f"give preload or free_length, not both; found preload = {self.preload:g} N and free_length = "
-                f"{self.free_length:g} m. preload is the spring force at design length; it follows from the free length"
+                Phrase(
+                    "give preload or free_length, not both; found preload = {preload:g} N and free_length = "
+                    "{free_length:g} m. preload is the spring force at design length; it follows from the "
+                    "free length",
+                    preload=self.preload,
+                    free_length=self.free_length,
+                )
             )
         return self
 

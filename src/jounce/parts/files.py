@@ -17,6 +17,7 @@ import tomlkit
 from jounce.core.description import check_schema, dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, at_line, below, nearest, unknown
 from jounce.core.files import chosen_file, shipped_files
+from jounce.core.phrases import Phrase
 from jounce.core.text import in_one_line, quoted
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
@@ -174,10 +175,10 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
         other = next((schema for schema, names in MODELS.items() if model in names), None)
         if other is not None:
             raise DescriptionError(
-                f"the model {model!r} is of another schema",
+                Phrase("the model {model!r} is of another schema", model=model),
                 where=where,
                 found=str(table["schema"]),
-                allowed=f'schema = "{other}"',
+                allowed=Phrase('schema = "{other}"', other=other),
             )
         raise unknown(model, models, what="model", where=where)
     return models[model].from_table(_with_corners(table, where, text), where=where, text=text)

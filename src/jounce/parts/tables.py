@@ -8,13 +8,21 @@ from typing import Any
 
 import numpy as np
 
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 
 def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> None:
     """Refuse tables of unequal length or with points that do not ascend."""
     if len(x) != len(force):
-        raise ValueError(f"{name} has {len(x)} points and force has {len(force)}; give as many of both")
+        raise ValueError(
+            Phrase(
+                "{name} has {count} points and force has {second_count}; give as many of both",
+                name=name,
+                count=len(x),
+                second_count=len(force),
+            )
+        )
     check_ascending(name, x)
 
 
@@ -22,7 +30,16 @@ def check_ascending(name: str, values: tuple[float, ...]) -> None:
     """Refuse points that do not ascend."""
     for i, (a, b) in enumerate(pairwise(values)):
         if b <= a:
-            raise ValueError(f"{name}[{i + 1}] = {b:g} does not lie above {name}[{i}] = {a:g}; sort the points")
+            raise ValueError(
+                Phrase(
+                    "{name}[{i}] = {b:g} does not lie above {name}[{second_i}] = {a:g}; sort the points",
+                    name=name,
+                    i=i + 1,
+                    b=b,
+                    second_i=i,
+                    a=a,
+                )
+            )
 
 
 def on_lines(points: Sequence[float] | Array, forces: Sequence[float] | Array, x: Any) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.parts.advice import STEEP_STRUT
 from jounce.parts.bodies import Triple
@@ -75,7 +76,10 @@ def with_strut_angle(rig: R, angle: float | str) -> R:
         return rig.with_changes({"strut.angle": wanted})
     if not abs(wanted) <= LARGEST:
         raise DescriptionError(
-            "out of range", where="strut angle", found=angle, allowed=f"{-LARGEST:g} to {LARGEST:g} rad"
+            "out of range",
+            where="strut angle",
+            found=angle,
+            allowed=Phrase("{largest:g} to {second_largest:g} rad", largest=-LARGEST, second_largest=LARGEST),
         )
     bottom, top = _ends(rig)
     reach = float(np.hypot(top[1] - bottom[1], top[2] - bottom[2]))

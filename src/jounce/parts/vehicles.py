@@ -10,6 +10,7 @@ from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.units import (
     Acceleration,
     Length,
@@ -289,7 +290,10 @@ class SpatialAxle(Description):
         if self.corner.side != "left":
             raise misplaced(("corner", "side"), 'found "right"', allowed="the left corner, the right one is its mirror")
         if self.corner.lacks:
-            raise misplaced(("corner",), f"of a car needs all its parts; it has no {', '.join(self.corner.lacks)}")
+            raise misplaced(
+                ("corner",),
+                Phrase("of a car needs all its parts; it has no {lacks}", lacks=", ".join(self.corner.lacks)),
+            )
         bar = self.corner.anti_roll_bar
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
             raise misplaced(

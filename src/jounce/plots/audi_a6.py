@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.phrases import Phrase
 from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
 from jounce.plots.display import quantity
 from jounce.plots.figures import INK, MUTED, PALETTE, legend_above, new_figure, styled
@@ -55,7 +56,9 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     """
     if channel not in _QUANTITIES:
         raise RecordingError(
-            f"no channel {channel!r}", allowed=", ".join(_QUANTITIES), hint=nearest(channel, list(_QUANTITIES))
+            Phrase("no channel {channel!r}", channel=channel),
+            allowed=", ".join(_QUANTITIES),
+            hint=nearest(channel, list(_QUANTITIES)),
         )
     by_moment = {run.moment: [other for other in study.runs if other.moment == run.moment] for run in study.runs}
     figure = new_figure(0.7 + 2.3 * len(by_moment))

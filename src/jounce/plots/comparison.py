@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import words_of
 from jounce.plots.figures import PALETTE, legend_outside, new_figure, styled
@@ -138,7 +139,10 @@ def common_channels(
             for label, own in zip(runs, held, strict=True):
                 if name not in own:
                     raise RecordingError(
-                        f"no channel {name!r}", where=label, allowed=", ".join(own), hint=nearest(name, own)
+                        Phrase("no channel {name!r}", name=name),
+                        where=label,
+                        allowed=", ".join(own),
+                        hint=nearest(name, own),
                     )
         return list(channels)
     if not present:

@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, settled
@@ -161,7 +162,9 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
         raise RecordingError("sweeps over different things", found=", ".join(sorted(over)), allowed="one of them")
     for name in quantities or ():
         if name not in known:
-            raise RecordingError(f"no quantity {name!r}", allowed=", ".join(known), hint=nearest(name, known))
+            raise RecordingError(
+                Phrase("no quantity {name!r}", name=name), allowed=", ".join(known), hint=nearest(name, known)
+            )
     names = list(quantities) if quantities else [name for name in default if name in known]
     if not names:
         raise RecordingError(

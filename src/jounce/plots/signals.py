@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import RecordingError, SimulationError, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
 from jounce.plots.figures import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
@@ -98,7 +99,10 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
     for name in channels:
         if name not in present:
             raise RecordingError(
-                f"no channel {name!r}", where="plot", allowed=", ".join(present), hint=nearest(name, present)
+                Phrase("no channel {name!r}", name=name),
+                where="plot",
+                allowed=", ".join(present),
+                hint=nearest(name, present),
             )
     return list(channels)
 
@@ -162,14 +166,20 @@ def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: st
     'largest displacement\n[mm]'
     """
     if along not in results.coords:
-        raise RecordingError(f"no coordinate {along!r}", found=", ".join(map(str, results.coords)) or "none")
+        raise RecordingError(
+            Phrase("no coordinate {along!r}", along=along), found=", ".join(map(str, results.coords)) or "none"
+        )
     present = [str(name) for name in results.data_vars if along in results[name].dims and results[name].ndim <= 2]
     for name in variables or ():
         if name not in present:
-            raise RecordingError(f"no variable {name!r}", allowed=", ".join(present), hint=nearest(name, present))
+            raise RecordingError(
+                Phrase("no variable {name!r}", name=name), allowed=", ".join(present), hint=nearest(name, present)
+            )
     names = list(variables or present[:_MOST_BY_DEFAULT])
     if not names:
-        raise RecordingError(f"no variable over {along!r} to draw", found=", ".join(map(str, results.data_vars)))
+        raise RecordingError(
+            Phrase("no variable over {along!r} to draw", along=along), found=", ".join(map(str, results.data_vars))
+        )
     figure = new_figure(0.7 + 1.6 * len(names) if len(names) > 1 else 3.0)
     rows = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
     for name, axes in zip(names, rows, strict=True):
@@ -309,7 +319,9 @@ def frequency_response(
     for name in outputs:
         if name not in model.outputs:
             raise SimulationError(
-                f"no output {name!r}", allowed=", ".join(model.outputs), hint=nearest(name, model.outputs)
+                Phrase("no output {name!r}", name=name),
+                allowed=", ".join(model.outputs),
+                hint=nearest(name, model.outputs),
             )
     from matplotlib.ticker import MultipleLocator
 

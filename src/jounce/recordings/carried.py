@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.columns import Column, name_and_unit
 from jounce.core.errors import RecordingError, named
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.recordings.quality import check_time
 from jounce.recordings.schema import channel_unit, is_spelling, quantity_of, recording_of
@@ -82,7 +83,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
         return _spelled(given.to_dataset(), where)
     if not is_table(given):
         raise RecordingError(
-            f"{named(given)} is no recording",
+            Phrase("{given} is no recording", given=named(given)),
             where=where,
             allowed="an xarray.Dataset, or a table with columns 'name [unit]' and one of them 'time [s]'",
             hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one of arrays.",

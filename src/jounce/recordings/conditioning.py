@@ -13,6 +13,7 @@ import numpy as np
 from jounce.core.columns import ColumnTable, name_and_unit
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of, to_si
 from jounce.recordings.plausibility import implausible
@@ -83,7 +84,7 @@ def sensitivity_of(given: str | Sequence[str], unit: str, *, where: str = "sensi
             "the sensitivity does not end in what a card records",
             where=where,
             found=", ".join(links),
-            allowed=f"a voltage, a current or counts at the end, e.g. {_EXAMPLES}",
+            allowed=Phrase("a voltage, a current or counts at the end, e.g. {examples}", examples=_EXAMPLES),
         )
     return Sensitivity(factor, before)
 
@@ -99,7 +100,10 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
         wrong = match["unit"].strip() if given is None else per
         allowed = f"{_EXAMPLES}; behind the stroke a unit that converts to {unit}"
         raise DescriptionError(
-            f"the unit {wrong!r} does not fit a sensitivity", where=where, found=text, allowed=allowed
+            Phrase("the unit {wrong!r} does not fit a sensitivity", wrong=wrong),
+            where=where,
+            found=text,
+            allowed=allowed,
         )
     size = to_si(match["above"], "1", where=where) * _factor(match["unit"].strip(), given)
     below = to_si(match["below"] or "1", "1", where=where) * conversion_factor(per, unit, where=where)

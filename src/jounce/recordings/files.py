@@ -13,6 +13,7 @@ from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, named, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
@@ -295,10 +296,14 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
         return None
     step = to_si(given, "s", where=where)
     if step <= 0.0:
-        raise RecordingError(f"{what} is not positive", where=where.rpartition(": ")[0], found=f"{step:g} s")
+        raise RecordingError(
+            Phrase("{what} is not positive", what=what), where=where.rpartition(": ")[0], found=f"{step:g} s"
+        )
     if step < _SHORTEST_STEP:
         found, allowed = f"{step:g} s", f"{_SHORTEST_STEP:g} s or more"
-        raise RecordingError(f"{what} is too short", where=where.rpartition(": ")[0], found=found, allowed=allowed)
+        raise RecordingError(
+            Phrase("{what} is too short", what=what), where=where.rpartition(": ")[0], found=found, allowed=allowed
+        )
     return step
 
 
@@ -438,7 +443,7 @@ def read_columns(
         if name not in wanted:
             allowed = [allowed_name for names in sets for allowed_name in names]
             raise RecordingError(
-                f"columns names {name!r}, which is not read here",
+                Phrase("columns names {name!r}, which is not read here", name=name),
                 where=str(file),
                 allowed=", ".join(allowed),
                 hint=nearest(name, allowed),
@@ -457,7 +462,7 @@ def read_columns(
 def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
     if not isinstance(columns, Mapping | str | None):
         allowed = "name of a channel to its column, or all names in their order as one text"
-        raise RecordingError(f"{named(columns)} was given", where="columns", allowed=allowed)
+        raise RecordingError(Phrase("{columns} was given", columns=named(columns)), where="columns", allowed=allowed)
     if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
     header = columns if isinstance(columns, str) else ""
@@ -490,8 +495,8 @@ def in_si(column: Column, si: str) -> Array:
         raise RecordingError(
             "the column has no unit",
             where=column.where,
-            allowed=f"{column.name} [{si}], or a unit that converts to it",
-            hint=f"Write it into the header, or map it with columns: '{column.name} [{si}]'.",
+            allowed=Phrase("{name} [{si}], or a unit that converts to it", name=column.name, si=si),
+            hint=Phrase("Write it into the header, or map it with columns: '{name} [{si}]'.", name=column.name, si=si),
         )
     try:
         factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
@@ -537,7 +542,7 @@ def _locate_channels(
                 "the signal is recorded at other instants than the others",
                 where=f"{main.file}: {name}",
                 found=spec,
-                hint=f"Bring them onto one time with resample, e.g. '10 ms'{without}.",
+                hint=Phrase("Bring them onto one time with resample, e.g. '10 ms'{without}.", without=without),
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from jounce.core.description import Description
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime
 
@@ -61,9 +62,9 @@ class RecordingFormat(TableFormat):
         data, findings = self.read(file, folder)
         if channel not in data:
             raise RecordingError(
-                f"no channel {channel!r}",
+                Phrase("no channel {channel!r}", channel=channel),
                 where=str(file),
                 found=", ".join(map(str, data.data_vars)),
-                hint=f'Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
+                hint=Phrase('Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.', channel=channel),
             )
         return data["time"].to_numpy(), data[channel].to_numpy(), findings

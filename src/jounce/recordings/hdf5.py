@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 _MOST = 5e8  # numbers, 4 GB as doubles: more do not fit a common computer
@@ -91,7 +92,9 @@ def held_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:
 def check_size(numbers: int, where: str) -> None:
     """Refuse more numbers than a recording can have."""
     if numbers > _MOST:
-        raise RecordingError("too many numbers", where=where, found=f"{numbers}", allowed=f"up to {_MOST:g}")
+        raise RecordingError(
+            "too many numbers", where=where, found=f"{numbers}", allowed=Phrase("up to {most:g}", most=_MOST)
+        )
 
 
 def announcement(name: str, announced: int, held: int, where: str, *, refused: bool = True) -> list[Finding]:

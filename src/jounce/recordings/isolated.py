@@ -24,6 +24,7 @@ from jounce.core.child_processes import ChildProcess, ProcessWatch, has_less_tha
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
 from jounce.core.findings import finding_of
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
 from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
@@ -125,17 +126,24 @@ class _Child(ChildProcess):
                 "reading the file does not end: it is damaged",
                 where=str(path),
                 found=f"more than {seconds:.0f} s",
-                allowed=f"{TIME:.0f} s and 1 s for each {1e-6 / TIME_A_BYTE:.0f} MB",
+                allowed=Phrase(
+                    "{time:.0f} s and 1 s for each {time_a_byte:.0f} MB", time=TIME, time_a_byte=1e-06 / TIME_A_BYTE
+                ),
                 hint="Use an original copy.",
             )
         with contextlib.suppress(ValueError):
             return RecordingError(
-                f"reading the file ended the process that reads it ({signal.Signals(-code).name}): it is damaged",
+                Phrase(
+                    "reading the file ended the process that reads it ({name}): it is damaged",
+                    name=signal.Signals(-code).name,
+                ),
                 where=str(path),
                 hint="Use an original copy.",
             )
         return RecordingError(
-            f"the process that reads the file ended (exit code {code})", where=str(path), hint="Use an original copy."
+            Phrase("the process that reads the file ended (exit code {code})", code=code),
+            where=str(path),
+            hint="Use an original copy.",
         )
 
 
@@ -218,7 +226,7 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
         f"the file takes more memory than {'a file of its size may' if allowed else 'there is'}",
         where=path,
         found=str(error) or None,
-        allowed=f"{allowed / 1e9:.1f} GB" if allowed else "",
+        allowed=Phrase("{allowed:.1f} GB", allowed=allowed / 1000000000.0) if allowed else "",
         hint="It is damaged, or holds far more than its size tells.",
     )
 

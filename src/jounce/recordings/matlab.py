@@ -16,6 +16,7 @@ import numpy as np
 from jounce.core.columns import name_and_unit
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.process_settings import caught_warnings
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_part
@@ -141,7 +142,9 @@ def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
         announced = math.prod(struct.unpack(f"{order}{len(parts[1][1]) // 4}i", parts[1][1]))
         count = len(numbers) // _SIZES.get(stored, 8)
         if count != announced:
-            raise ValueError(f"a matrix announces {announced} numbers and holds {count}")
+            raise ValueError(
+                Phrase("a matrix announces {announced} numbers and holds {count}", announced=announced, count=count)
+            )
 
 
 def _walk(path: str, value: Any, matrices: dict[str, Matrix], left_out: list[str], depth: int) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_rows, surplus
 
@@ -170,7 +171,7 @@ class _Header:
         self.content, self.at = content, _WORD
         version = content[3]
         if version not in (1, 2, 5):
-            raise ValueError(f"version {version}")
+            raise ValueError(Phrase("version {version}", version=version))
         self.count, self.place = ">q" if version == 5 else ">i", ">i" if version == 1 else ">q"
 
     def number(self, kind: str = "") -> int:
@@ -181,7 +182,7 @@ class _Header:
     def size(self) -> int:
         size = self.number()
         if not 0 <= size <= len(self.content):
-            raise ValueError(f"a length of {size}")
+            raise ValueError(Phrase("a length of {size}", size=size))
         return size
 
     def numbers(self, kind: str, count: int) -> Any:
@@ -195,7 +196,7 @@ class _Header:
     def items(self, tag: int, read: Callable[[], Any]) -> list[Any]:
         kind, count = self.number(">i"), self.size()
         if kind != tag and (kind or count):
-            raise ValueError(f"a list of kind {kind}")
+            raise ValueError(Phrase("a list of kind {kind}", kind=kind))
         return [read() for _ in range(count)]
 
     def attribute(self) -> tuple[str, Any]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.catalogue import Severity
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -122,7 +123,7 @@ def pulse_speed(
             "an implausible speed for a bench",
             where=where,
             found=f"{mean:.4g} m/s",
-            allowed=f"up to {_PLAUSIBLE:g} m/s",
+            allowed=Phrase("up to {plausible:g} m/s", plausible=_PLAUSIBLE),
             hint="Check radius, pulses a turn and the step of the samples.",
         )
     speed = _over_a_turn(seen, distance, per_turn)
@@ -164,7 +165,7 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
             "too few pulses",
             where=where,
             found=len(instants),
-            allowed=f"at least {FEWEST_PULSES}",
+            allowed=Phrase("at least {fewest_pulses}", fewest_pulses=FEWEST_PULSES),
             hint="Record longer, or put more marks on the cylinder.",
         )
     return np.asarray(instants, dtype=float)

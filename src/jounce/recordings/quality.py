@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.recordings.schema import quantity_of
 
@@ -71,10 +72,14 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
         row = int(np.argmax(jitter)) + 1
         missing = round(float(steps[row - 1]) / step) - 1
         raise RecordingError(
-            f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
+            Phrase(
+                "the time step jitters by {largest:.3g} % at {name_row}",
+                largest=100.0 * largest,
+                name_row=name_row(row),
+            ),
             where=at,
             found=f"a step of {steps[row - 1]:.6g} s",
-            allowed=f"{step:.6g} s within 1 %",
+            allowed=Phrase("{step:.6g} s within 1 %", step=step),
             hint=f"{missing} sample{'s' * (missing > 1)} missing there; resample fills the gap and says so."
             if missing > 0
             else "Was time written with too few digits? resample brings the record onto constant steps.",
@@ -105,7 +110,12 @@ def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = 
         raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
     steps = check_ascending(time, "time", "s", where=at, name_row=name_row, hint=_CLOCK)
     if time.size < FEWEST_SAMPLES:
-        raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
+        raise RecordingError(
+            "too few samples",
+            where=at,
+            found=str(time.size),
+            allowed=Phrase("at least {fewest_samples}", fewest_samples=FEWEST_SAMPLES),
+        )
     return steps
 
 
@@ -123,10 +133,10 @@ def check_ascending(
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
         raise RecordingError(
-            f"{name} does not ascend at {name_row(row)}",
+            Phrase("{name} does not ascend at {name_row}", name=name, name_row=name_row(row)),
             where=where,
             found=f"{values[row]:.9g} {unit} after {values[row - 1]:.9g} {unit}",
-            allowed=f"strictly ascending {name}",
+            allowed=Phrase("strictly ascending {name}", name=name),
             hint=hint,
         )
     return np.asarray(steps, dtype=float)
@@ -137,7 +147,7 @@ def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> Non
     if not finite.all():
         row = int(np.argmin(finite))
         raise RecordingError(
-            f"not a finite number at {name_row(row)}",
+            Phrase("not a finite number at {name_row}", name_row=name_row(row)),
             where=at,
             found=str(values[row]),
             hint="Fill the gap or cut it off.",
@@ -145,7 +155,7 @@ def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> Non
     if values.size and (largest := float(np.abs(values).max())) > OVER_RANGE:
         row = int(np.argmax(np.abs(values)))
         raise RecordingError(
-            f"no measured number at {name_row(row)}",
+            Phrase("no measured number at {name_row}", name_row=name_row(row)),
             where=at,
             found=f"{largest:g}",
             hint="Is it the mark of a value that is over range or missing?",

@@ -33,6 +33,7 @@ from jounce.core.errors import JounceError, RecordingError, is_of_system, neares
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
 from jounce.core.units import is_unit, is_unit_of
@@ -128,13 +129,15 @@ def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
     for column in sound:
         if not _is_signal(column.values):
             raise RecordingError(
-                f"a column is no row of real numbers: the reader {reader.name!r} does not know this file",
+                Phrase(
+                    "a column is no row of real numbers: the reader {name!r} does not know this file", name=reader.name
+                ),
                 where=f"{path}: {column.label}",
                 found=f"shape {np.shape(column.values)}, {getattr(column.values, 'dtype', 'no array')}",
             )
     if len({column.values.size for column in sound}) > 1:
         raise RecordingError(
-            f"the columns have different lengths: the reader {reader.name!r} does not know this file",
+            Phrase("the columns have different lengths: the reader {name!r} does not know this file", name=reader.name),
             where=str(path),
             found=", ".join(f"{column.label}: {column.values.size}" for column in sound),
         )
@@ -190,7 +193,11 @@ def _renamed(table: ColumnTable, header: str) -> ColumnTable:
     heads = parse_header(header)
     if len(heads) != len(table):
         raise RecordingError(
-            f"the given header names {len(heads)} columns, the file has {len(table)}",
+            Phrase(
+                "the given header names {count} columns, the file has {second_count}",
+                count=len(heads),
+                second_count=len(table),
+            ),
             where=table.file,
             found=", ".join(column.label for column in table),
         )
@@ -228,7 +235,11 @@ def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
     """Channels of the segment with their ``Y_Unit_Label``; time as written, or from ``X0`` and ``Delta_X``."""
     text = text_of(path)
     if not text.startswith(FIRST):
-        raise RecordingError("not a LabVIEW measurement file", where=str(path), allowed=f"a file that begins {FIRST!r}")
+        raise RecordingError(
+            "not a LabVIEW measurement file",
+            where=str(path),
+            allowed=Phrase("a file that begins {first!r}", first=FIRST),
+        )
     return _labview(text, path, options)
 
 
@@ -287,7 +298,9 @@ def _chosen_group(groups: Mapping[str, VariableGroup], variable: str, path: Path
     if variable or (len(groups) > 1 and "" not in groups):
         if variable not in groups:
             raise RecordingError(
-                f"no group {variable!r} with signals" if variable else "several groups hold signals",
+                Phrase("no group {variable!r} with signals", variable=variable)
+                if variable
+                else "several groups hold signals",
                 where=str(path),
                 found=", ".join(filter(None, groups)) or "none",
                 hint=nearest(variable, groups) or "Say which one with variable.",
@@ -376,17 +389,30 @@ def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     sizes = ", ".join(f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1)
     if variable and variable not in arrays:
         hint = nearest(variable, arrays)
-        raise RecordingError(f"no numeric variable {variable!r}", where=str(path), found=sizes or "none", hint=hint)
+        raise RecordingError(
+            Phrase("no numeric variable {variable!r}", variable=variable),
+            where=str(path),
+            found=sizes or "none",
+            hint=hint,
+        )
     if not width:
         return variable
     fitting = [name for name, array in arrays.items() if array.shape[1] == width and array.shape[0] > 1]
     if variable and variable not in fitting:
         raise RecordingError(
-            f"the given header names {width} columns, {variable!r} has {arrays[variable].shape[1]}", where=str(path)
+            Phrase(
+                "the given header names {width} columns, {variable!r} has {shape}",
+                width=width,
+                variable=variable,
+                shape=arrays[variable].shape[1],
+            ),
+            where=str(path),
         )
     if not variable and len(fitting) != 1:
         raise RecordingError(
-            f"{len(fitting)} variables have as many columns as the given header ({width})",
+            Phrase(
+                "{count} variables have as many columns as the given header ({width})", count=len(fitting), width=width
+            ),
             where=str(path),
             found=sizes or "none",
             hint="Say which variable.",
@@ -419,7 +445,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     groups, wanted = {group.name: group for group in file.groups()}, options.variable
     if wanted not in groups and (wanted or len(groups) != 1):
         raise RecordingError(
-            f"no group {wanted!r}" if wanted else "not exactly one group",
+            Phrase("no group {wanted!r}", wanted=wanted) if wanted else "not exactly one group",
             where=str(path),
             found=", ".join(sorted(groups)) or "none",
             hint="Say which one with variable.",
@@ -570,7 +596,9 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
             "no time response",
             where=str(path),
             found=there,
-            allowed=f"data set 58 with functions of type {_TIME_RESPONSE} (time response)",
+            allowed=Phrase(
+                "data set 58 with functions of type {time_response} (time response)", time_response=_TIME_RESPONSE
+            ),
         )
     entities = [str(data_set["rsp_ent_name"]).strip() for data_set in sets]
     names = [
@@ -754,7 +782,9 @@ def _chosen_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
     if variable:
         if variable not in sheets:
             hint = nearest(variable, sheets)
-            raise RecordingError(f"no sheet {variable!r}", where=str(path), found=", ".join(sheets), hint=hint)
+            raise RecordingError(
+                Phrase("no sheet {variable!r}", variable=variable), where=str(path), found=", ".join(sheets), hint=hint
+            )
         return variable
     likely = [name for name, rows in sheets.items() if _holds_numbers(rows)]
     if not likely:
@@ -844,7 +874,7 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
         kind = next((word for kinds, word in _KINDS_OF_CELL if isinstance(cell, kinds)), "")
         kind = "an error" if not kind and str(cell) in _ERRORS_OF_EXCEL else kind
         new_fault = RecordingError(
-            f"{kind} in a column of numbers" if kind else reported.what,
+            Phrase("{kind} in a column of numbers", kind=kind) if kind else reported.what,
             where=f"{path}: sheet {sheet!r}, cell {_letters(i)}{line} (column {heads[0]!r})",
             found=str(cell).upper() if isinstance(cell, bool) else _cell_text(cell)[:80],
             allowed=reported.allowed,

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, RecordingError, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import remembered
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
@@ -214,7 +215,7 @@ def recording_of(
                 "the channel has not as many samples as time",
                 where=name,
                 found=f"shape {samples.shape}",
-                allowed=f"shape {instants.shape}",
+                allowed=Phrase("shape {shape}", shape=instants.shape),
             )
         attrs = _attributes(name, unit, long_name).copy()
         variables[name] = xr.Variable(("time",), samples, attrs, fastpath=True)
@@ -278,7 +279,11 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
         if not finite.all():
             sample = int(np.argmin(finite))
             value = float(variable.values[sample])
-            raise RecordingError(f"sample {sample + 1} is not a finite number", where=f"{where}: {name}", found=value)
+            raise RecordingError(
+                Phrase("sample {sample} is not a finite number", sample=sample + 1),
+                where=f"{where}: {name}",
+                found=value,
+            )
 
 
 def check_units(dataset: xr.Dataset, *, where: str = "recording") -> None:

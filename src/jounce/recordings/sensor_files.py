@@ -8,6 +8,7 @@ from typing import Any
 
 from jounce.core.description import check_schema, read_toml
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.recordings.conditioning import range_of, sensitivity_of
 from jounce.recordings.schema import channel_unit
@@ -50,7 +51,9 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
     given = table.get(key)
     if not isinstance(given, Mapping) or not given:
         allowed = "[channels.COLUMN] with what each measures" if is_laboratory else '[sensors."sprung.az"]'
-        raise DescriptionError("the file has no sensors", where=f"{path}: {key}", allowed=f"tables {allowed}")
+        raise DescriptionError(
+            "the file has no sensors", where=f"{path}: {key}", allowed=Phrase("tables {allowed}", allowed=allowed)
+        )
     sensors = {}
     for name, entry in given.items():
         channel, keys = _measured(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)

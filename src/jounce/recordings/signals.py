@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import as_number
@@ -31,7 +32,7 @@ def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None
             "the frequency cannot be realised at this sample rate",
             where=where,
             found=f"{frequency:g} Hz",
-            allowed=f"above 0 and below {0.5 * sample_rate:g} Hz, half the sample rate",
+            allowed=Phrase("above 0 and below {sample_rate:g} Hz, half the sample rate", sample_rate=0.5 * sample_rate),
         )
 
 
@@ -40,7 +41,9 @@ def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
     signals = as_samples(values, where="signal")
     count = len(signals) if signals.ndim else 0
     if count < fewest:
-        raise RecordingError(f"the signal is too short to {what}", found=f"{count} samples", allowed=f"{fewest}")
+        raise RecordingError(
+            Phrase("the signal is too short to {what}", what=what), found=f"{count} samples", allowed=f"{fewest}"
+        )
     return signals
 
 
@@ -48,7 +51,9 @@ def _check_finite(*signals: Array) -> None:
     for signal in signals:
         finite = np.isfinite(signal).reshape(len(signal), -1).all(axis=1)
         if not finite.all():
-            raise RecordingError(f"sample {int(np.argmin(finite)) + 1} is not a finite number", where="signal")
+            raise RecordingError(
+                Phrase("sample {argmin} is not a finite number", argmin=int(np.argmin(finite)) + 1), where="signal"
+            )
 
 
 def band_limit(
@@ -132,7 +137,9 @@ def cfc_coefficients(channel_class: float, sample_rate: float) -> tuple[float, f
             "the channel frequency class cannot be realised at this sample rate",
             where="CFC filter",
             found=f"class {channel_class:g} at {sample_rate:g} Hz",
-            allowed=f"a class above 0 and up to {0.1 * sample_rate:g}, a tenth of the sample rate",
+            allowed=Phrase(
+                "a class above 0 and up to {sample_rate:g}, a tenth of the sample rate", sample_rate=0.1 * sample_rate
+            ),
         )
     w = math.tan(math.pi * channel_class * 2.0775 / sample_rate)
     scale = 1.0 + math.sqrt(2.0) * w + w * w
@@ -233,7 +240,7 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
             "too many instants",
             where="resample",
             found=f"{duration:g} s in steps of {1.0 / sample_rate:g} s",
-            allowed=f"up to {_MOST_INSTANTS:g}",
+            allowed=Phrase("up to {most_instants:g}", most_instants=_MOST_INSTANTS),
             hint="Is time in the unit that the file gives?",
         )
     return np.asarray(np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float)

@@ -14,6 +14,7 @@ import numpy as np
 
 from jounce.core.errors import OutputError
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
 from jounce.core.text import guarded, place_in
 from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
@@ -77,7 +78,11 @@ def _check_name(name: str, signs: str, instead: str) -> None:
         words = " ".join(repr(sign) for sign in signs)
         hint = f"Rename the channel, or write {instead}."
         raise OutputError(
-            "a name that the file cannot hold", where="channel", found=name, allowed=f"names without {words}", hint=hint
+            "a name that the file cannot hold",
+            where="channel",
+            found=name,
+            allowed=Phrase("names without {words}", words=words),
+            hint=hint,
         )
 
 
@@ -252,7 +257,7 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
             "more than a sheet of Excel holds",
             where="recording",
             found=f"{rows} rows, {columns} columns",
-            allowed=f"{MOST_ROWS} rows, {MOST_COLUMNS} columns",
+            allowed=Phrase("{most_rows} rows, {most_columns} columns", most_rows=MOST_ROWS, most_columns=MOST_COLUMNS),
             hint="Write .nc or .parquet, or every tenth sample.",
         )
     heads = [f"{name} [{_unit(signal)}]" for name, signal in signals.items()]

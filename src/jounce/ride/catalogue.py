@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.ride import comfort
 from jounce.ride.comfort import duration_of, integral
@@ -178,7 +179,7 @@ class CornerSignals:
         """Gap of the ``"bump"`` or ``"rebound"`` stop in m."""
         gap = self.stop_gaps[which == "bump"]
         if gap is None:
-            raise RecordingError(f"no {which} stop's gap is given", where=self.name)
+            raise RecordingError(Phrase("no {which} stop's gap is given", which=which), where=self.name)
         return gap
 
     @property

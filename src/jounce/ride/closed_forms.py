@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si, to_si
 
@@ -304,7 +305,7 @@ def spring_and_damper(
                 "the tyre is too soft for this frequency",
                 where="frequency",
                 found=f"{wanted:g} Hz",
-                allowed=f"below {most:.4g} Hz",
+                allowed=Phrase("below {most:.4g} Hz", most=most),
             )
         rate = ride * stiffness / (stiffness - ride)
     damping = 2.0 * share * math.sqrt(rate * mass)

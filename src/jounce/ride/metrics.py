@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import positive_si, to_si
@@ -174,7 +175,7 @@ class RideMetrics(Shown):
         if place is None and len(values) == 1:
             return next(iter(values.values()))
         raise DescriptionError(
-            "say which place" if place is None else f"no value at {place!r}",
+            "say which place" if place is None else Phrase("no value at {place!r}", place=place),
             where=metric,
             allowed=", ".join(map(repr, values)),
             hint=nearest(place or "", values),
@@ -294,7 +295,7 @@ def ride_metrics(
                 absent.append(AbsentMetric(row.name, place, str(error).removeprefix(f"{place}: ").rstrip(".")))
         if metrics is not None and not any(item.metric == row.name for item in values):
             reason = next(item.reason for item in absent if item.metric == row.name)
-            raise RecordingError(f"the metric is not available: {reason}", where=row.name)
+            raise RecordingError(Phrase("the metric is not available: {reason}", reason=reason), where=row.name)
     totals = {item.place: item.value for item in values if item.metric == "vibration_total_value"}
     words = {place: comfort.comfort_words(value) for place, value in totals.items()}
     used = {name for row in wanted for name in names if any(is_channel(name, part) for part in row.needs)}
@@ -322,7 +323,7 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
             "no part of the record remains",
             where="settling",
             found=f"{skipped:g} s",
-            allowed=f"0 s up to less than {duration:g} s, the duration of the record",
+            allowed=Phrase("0 s up to less than {duration:g} s, the duration of the record", duration=duration),
         )
     rate = (time.size - 1) / duration
     first = min(int(np.ceil(skipped * rate - 1e-6)), time.size - 2)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -216,7 +217,7 @@ def transfer_function(
             "a transfer function needs two pieces or more",
             where="segment",
             found=f"{count / rate:g} s",
-            allowed=f"at most half the record of {x.size / rate:g} s",
+            allowed=Phrase("at most half the record of {size:g} s", size=x.size / rate),
         )
     frequency, cross = cross_spectrum(x, y, rate, count, window)
     input_power = cross_spectrum(x, x, rate, count, window)[1].real
@@ -238,7 +239,10 @@ def channel_transfer(
     for name in (output, given):
         if name not in names:
             raise RecordingError(
-                f"no channel {name!r}", where="recording", found=", ".join(names), hint=nearest(name, names)
+                Phrase("no channel {name!r}", name=name),
+                where="recording",
+                found=", ".join(names),
+                hint=nearest(name, names),
             )
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
@@ -305,10 +309,12 @@ def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
             "too little for a spectrum",
             where=what,
             found=f"shape {signal.shape} at {sample_rate:g} Hz",
-            allowed=f"at least {_FEWEST_SAMPLES} samples at a rate",
+            allowed=Phrase("at least {fewest_samples} samples at a rate", fewest_samples=_FEWEST_SAMPLES),
         )
     if not np.isfinite(signal).all():
-        raise RecordingError(f"sample {int(np.argmin(np.isfinite(signal))) + 1} is not a finite number", where=what)
+        raise RecordingError(
+            Phrase("sample {argmin} is not a finite number", argmin=int(np.argmin(np.isfinite(signal))) + 1), where=what
+        )
     return signal
 
 
@@ -326,7 +332,7 @@ def _segment_length(signal: Array, sample_rate: float, segment: float | str | No
             "the segment does not fit the record",
             where="segment",
             found=f"{length:g} s",
-            allowed=f"{shortest:g} s to {longest:g} s",
+            allowed=Phrase("{shortest:g} s to {longest:g} s", shortest=shortest, longest=longest),
         )
     return count
 

@@ -13,6 +13,7 @@ from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.display import size
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import findings_of
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
@@ -169,7 +170,11 @@ def _check_fine_enough(road: Road, speed: float) -> None:
             "the road's points are too far apart for the speed",
             where="road",
             found=f"{spacing:.3g} m, which shows nothing above {speed / (2.0 * spacing):.3g} Hz at {speed:g} m/s",
-            allowed=f"at most {speed / (2.0 * FASTEST):.3g} m: wheels hop at about {FASTEST:g} Hz",
+            allowed=Phrase(
+                "at most {speed:.3g} m: wheels hop at about {fastest:g} Hz",
+                speed=speed / (2.0 * FASTEST),
+                fastest=FASTEST,
+            ),
             hint="Take a finer profile, or drive faster.",
         )
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import as_number
@@ -106,10 +107,10 @@ def check_duration(name: str, duration: float, *, where: str) -> None:
     row = weighting(name)
     if duration < row.shortest * (1.0 - 1e-9):
         raise RecordingError(
-            f"the measurement is too short for {row.name}",
+            Phrase("the measurement is too short for {name}", name=row.name),
             where=where,
             found=f"{duration:g} s",
-            allowed=f"{row.shortest:g} s or more, one period of its lower limit",
+            allowed=Phrase("{shortest:g} s or more, one period of its lower limit", shortest=row.shortest),
         )
 
 
@@ -219,13 +220,15 @@ def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: 
         raise RecordingError("not a signal", where=at, found=f"shape {signal.shape}", allowed="at least 2 samples")
     if not np.isfinite(signal).all():
         sample = int(np.argmin(np.isfinite(signal)))
-        raise RecordingError(f"sample {sample + 1} is not a finite number", where=at, found=float(signal[sample]))
+        raise RecordingError(
+            Phrase("sample {sample} is not a finite number", sample=sample + 1), where=at, found=float(signal[sample])
+        )
     if not (math.isfinite(sample_rate) and sample_rate >= row.slowest_rate):
         raise RecordingError(
             "the sample rate is too low for the weighting",
             where=at,
             found=f"{sample_rate:g} Hz",
-            allowed=f"{row.slowest_rate:g} Hz or more",
+            allowed=Phrase("{slowest_rate:g} Hz or more", slowest_rate=row.slowest_rate),
         )
     return signal
 

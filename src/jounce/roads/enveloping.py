@@ -96,13 +96,15 @@ class Enveloped(RoadOf):
         """Refuse missing and superfluous fields; take ``start`` and ``recurrence`` from the road inside."""
         for name in ("start", "recurrence"):
             if name in self.model_fields_set and getattr(self, name) != getattr(self.of, name):
-                raise ValueError(f"{name} belongs to the road inside; write it in the table of")
+                raise ValueError(Phrase("{name} belongs to the road inside; write it in the table of", name=name))
             object.__setattr__(self, name, getattr(self.of, name))
         needed = _NEEDED[self.method]
         for name in ("contact_length", "radius"):
             if (getattr(self, name) is None) == (name in needed):
                 word = "needs" if name in needed else "does not use"
-                raise ValueError(f"the method {self.method!r} {word} {name}")
+                raise ValueError(
+                    Phrase("the method {method!r} {word} {name}", method=self.method, word=word, name=name)
+                )
         if self.cam_exponent <= 1.0:
             what = Phrase("cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent)
             raise misplaced((), what, allowed=Phrase("above {bound:g}", bound=1.0))
@@ -350,7 +352,7 @@ def roll_cam(road: Segments, cam: Cam, window: tuple[float, float], step: float,
     if steep > _STEEPEST:
         raise DescriptionError(
             "the wheel meets a wall: an edge of the road is as high as the wheel's cam",
-            allowed=f"edges well below {cam.b:g} m",
+            allowed=Phrase("edges well below {b:g} m", b=cam.b),
             hint="Use a larger wheel or a lower obstacle.",
         )
     return _join(nodes, (right[0][:-1], right[1][:-1]), (left[0][1:], left[1][1:]))

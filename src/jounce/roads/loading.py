@@ -9,6 +9,7 @@ from typing import Any
 from jounce.core.description import dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, at_line, below, unknown
 from jounce.core.files import chosen_file, shipped_files
+from jounce.core.phrases import Phrase
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import ROADS, Road
 from jounce.roads.rough import Iso8608, class_roughness
@@ -163,7 +164,9 @@ def _of_class(text: str, length: float | None) -> Iso8608:
 def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
     schema = table.get("schema", SCHEMA)
     if schema != SCHEMA:
-        raise DescriptionError("not a road file", where=where, found=schema, allowed=f'schema = "{SCHEMA}", or none')
+        raise DescriptionError(
+            "not a road file", where=where, found=schema, allowed=Phrase('schema = "{schema}", or none', schema=SCHEMA)
+        )
     return {key: value for key, value in table.items() if key != "schema"}
 
 
@@ -181,7 +184,7 @@ class _Reader:
         if name in asked_by:
             circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
             raise DescriptionError(
-                f"the {self.tables[name]['kind']} contains itself: {circle}",
+                Phrase("the {tables} contains itself: {circle}", tables=self.tables[name]["kind"], circle=circle),
                 where=self._place((*self.above, name, "of")),
                 hint="Break the circle.",
             )

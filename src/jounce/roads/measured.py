@@ -16,6 +16,7 @@ import numpy as np
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError, is_of_system, resource_error
 from jounce.core.files import State, existing_file, state_of
+from jounce.core.phrases import Phrase
 from jounce.core.process_settings import caught_warnings
 from jounce.core.samples import Listed
 from jounce.core.segments import Segments
@@ -125,7 +126,7 @@ class Crg(SampledRoad):
                 "the run leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
                 where=str(self.file),
                 found=f"{0.0 - behind:g} to {distance - behind:g} m",
-                allowed=f"{self.start:g} to {self.end():g} m",
+                allowed=Phrase("{start:g} to {end:g} m", start=self.start, end=self.end()),
             )
         return super().segments(distance, behind)
 
@@ -162,17 +163,47 @@ def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interp
     (x_name, x), (y_name, y) = points.items()
     if file is not None:
         if x or y:
-            raise ValueError(f"points and a file are both given; give either {x_name} and {y_name} or file")
+            raise ValueError(
+                Phrase(
+                    "points and a file are both given; give either {x_name} and {y_name} or file",
+                    x_name=x_name,
+                    y_name=y_name,
+                )
+            )
         return
     if not x and not y:
-        raise ValueError(f"no points; give {x_name} and {y_name}, or file")
+        raise ValueError(Phrase("no points; give {x_name} and {y_name}, or file", x_name=x_name, y_name=y_name))
     if len(x) != len(y):
-        raise ValueError(f"{x_name} has {len(x)} values and {y_name} has {len(y)}; give as many of both")
+        raise ValueError(
+            Phrase(
+                "{x_name} has {count} values and {y_name} has {second_count}; give as many of both",
+                x_name=x_name,
+                count=len(x),
+                y_name=y_name,
+                second_count=len(y),
+            )
+        )
     if len(x) < FEWEST[interpolation]:
-        raise ValueError(f"{len(x)} points; {interpolation} interpolation needs at least {FEWEST[interpolation]}")
+        raise ValueError(
+            Phrase(
+                "{count} points; {interpolation} interpolation needs at least {fewest}",
+                count=len(x),
+                interpolation=interpolation,
+                fewest=FEWEST[interpolation],
+            )
+        )
     for i, (a, b) in enumerate(pairwise(x)):
         if b <= a:
-            raise ValueError(f"{x_name}[{i + 1}] = {b:g} does not lie above {x_name}[{i}] = {a:g}; sort the points")
+            raise ValueError(
+                Phrase(
+                    "{x_name}[{i}] = {b:g} does not lie above {x_name}[{second_i}] = {a:g}; sort the points",
+                    x_name=x_name,
+                    i=i + 1,
+                    b=b,
+                    second_i=i,
+                    a=a,
+                )
+            )
 
 
 def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation: str) -> Profile:
@@ -213,11 +244,13 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
     x, height = (table[name].in_si(si) for name, si in columns)
     name, unit = columns[0]
     if len(x) < fewest:
-        raise RecordingError("too few rows", where=file, found=len(x), allowed=f"at least {fewest}")
+        raise RecordingError(
+            "too few rows", where=file, found=len(x), allowed=Phrase("at least {fewest}", fewest=fewest)
+        )
     steps = np.diff(x)
     if (steps < 0.0).all():
         raise RecordingError(
-            f"{name} runs backwards",
+            Phrase("{name} runs backwards", name=name),
             where=f"{file}: column {table[name].label!r}",
             found=f"{x[0]:g} to {x[-1]:g} {unit}",
             hint="Reverse the order of the rows: the run goes towards larger values.",
@@ -226,7 +259,7 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
     if len(stays):
         i = int(stays[0])
         raise RecordingError(
-            f"{name} does not ascend from row {i + 1} to row {i + 2}",
+            Phrase("{name} does not ascend from row {i} to row {second_i}", name=name, i=i + 1, second_i=i + 2),
             where=f"{file}: column {table[name].label!r}",
             found=f"{x[i]:g} {unit}, then {x[i + 1]:g} {unit}",
             hint="Sort the rows, and remove repeated ones.",
@@ -243,7 +276,7 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
     if len(wild):
         i = int(wild[0])
         raise RecordingError(
-            f"the height jumps implausibly from row {i + 1} to row {i + 2}",
+            Phrase("the height jumps implausibly from row {i} to row {second_i}", i=i + 1, second_i=i + 2),
             where=where,
             found=f"{height[i]:g} m, then {height[i + 1]:g} m",
             hint="Fill the gap or remove the padding, and check the unit of the heights.",
@@ -361,7 +394,9 @@ def _read(file: str) -> Any:
     except (ValueError, OSError, IndexError, KeyError, ArithmeticError, TypeError, MemoryError) as error:
         if is_of_system(error):
             raise resource_error(error, file) from None
-        raise RecordingError(f"not a readable OpenCRG file: {_one_line(error, file)}", where=file) from None
+        raise RecordingError(
+            Phrase("not a readable OpenCRG file: {one_line}", one_line=_one_line(error, file)), where=file
+        ) from None
     problems += [text for text in road.read_warnings if not _HARMLESS.search(text) or _is_misspelt(text)]
     problems += [
         f"{name} above 100 %" for name in ("slope", "banking") if np.abs(np.asarray(getattr(road, name))).max() > 1.0
@@ -369,7 +404,9 @@ def _read(file: str) -> Any:
     if problems:
         text = "; ".join(problem.removeprefix("(reading) ") for problem in dict.fromkeys(problems[:2]))
         raise RecordingError(
-            f"the OpenCRG file is damaged or contradicts itself: {text}", where=file, hint="Use an original copy."
+            Phrase("the OpenCRG file is damaged or contradicts itself: {text}", text=text),
+            where=file,
+            hint="Use an original copy.",
         )
     return road
 
@@ -414,7 +451,7 @@ def _height(road: Any, offset: float, file: str) -> Array:
             "the lateral offset lies outside the road",
             where=file,
             found=f"{offset:g} m",
-            allowed=f"{v[0]:g} to {v[-1]:g} m",
+            allowed=Phrase("{v:g} to {second_v:g} m", v=v[0], second_v=v[-1]),
             hint="Programs differ in how they repeat a banked road sideways." if is_said else "",
         )
     inside = road.copy()
@@ -448,11 +485,13 @@ def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
         if len(spikes):
             damage = f"a single height at u = {road.u[spikes[0] + 1]:g} m stands out by {out[0][spikes[0]]:.3g} m"
     if damage:
-        raise RecordingError(f"the OpenCRG file is damaged: {damage}", where=file, hint="Use an original copy.")
+        raise RecordingError(
+            Phrase("the OpenCRG file is damaged: {damage}", damage=damage), where=file, hint="Use an original copy."
+        )
     if not np.isfinite(height).all():
         bad = int(np.flatnonzero(~np.isfinite(height))[0])
         raise RecordingError(
-            f"no height at u = {road.u[bad]:g} m for the lateral offset {offset:g} m",
+            Phrase("no height at u = {u:g} m for the lateral offset {offset:g} m", u=road.u[bad], offset=offset),
             where=file,
             hint="Choose another lateral offset, or fill the gap in the file.",
         )

@@ -7,6 +7,7 @@ from typing import Annotated, Any, TypeAlias
 
 from jounce.core.errors import DescriptionError
 from jounce.core.operation import File, MadeBy, Mark, Number
+from jounce.core.phrases import Phrase
 from jounce.core.typed import quantity
 from jounce.roads.loading import load_road
 from jounce.roads.road import ROADS
@@ -77,7 +78,9 @@ def _check_options(
         return {} if duration is None else {"duration": duration}
     for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):
         if value is None:
-            raise DescriptionError(f"{option} is missing; a road needs it", allowed=f'{option} "{example}"')
+            raise DescriptionError(
+                Phrase("{option} is missing; a road needs it", option=option), allowed=f'{option} "{example}"'
+            )
     if speed is not None and speed <= 0.0:
         raise DescriptionError("out of range", where="--speed", found=f"{speed:g} m/s", allowed="above 0 m/s")
     return {"speed": speed, "duration": duration}

@@ -14,6 +14,7 @@ from pydantic import model_validator
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.kinds import Kinds
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -91,7 +92,11 @@ class Road(Description, ABC):
             raise DescriptionError(
                 "the wheel is too far behind the front axle for its road to be laid out",
                 found=f"{behind:g} m",
-                allowed=f"up to {distance / SHORTEST:.0e} m where {distance:g} m are driven",
+                allowed=Phrase(
+                    "up to {distance:.0e} m where {second_distance:g} m are driven",
+                    distance=distance / SHORTEST,
+                    second_distance=distance,
+                ),
             )
         pieces = self._between(0.0 - behind, float(distance) - behind)
         return replace(pieces, edges=pieces.edges + behind) if behind else pieces
@@ -195,7 +200,7 @@ class Road(Description, ABC):
                 "the road is shorter than the run",
                 where=where,
                 found=f"{distance:.6g} m driven",
-                allowed=f"up to {known + behind:.6g} m",
+                allowed=Phrase("up to {known:.6g} m", known=known + behind),
                 hint="Shorten the run, drive slower, or use a longer road.",
             )
 
@@ -256,11 +261,17 @@ ROADS = Road.kinds
 def _check_recurrence(profile: Profile, recurrence: float) -> None:
     if abs(profile.after - profile.before) > LEVEL:
         raise ValueError(
-            f"the road cannot recur: it ends {profile.after - profile.before:g} m higher than it begins; "
-            "leave out recurrence or close the loop"
+            Phrase(
+                "the road cannot recur: it ends {after:g} m higher than it begins; leave out recurrence "
+                "or close the loop",
+                after=profile.after - profile.before,
+            )
         )
     if recurrence < profile.span * (1.0 - 1e-9):
         raise ValueError(
-            f"the obstacle recurs before it ends: recurrence {recurrence:g} m is shorter than "
-            f"its length {profile.span:g} m"
+            Phrase(
+                "the obstacle recurs before it ends: recurrence {recurrence:g} m is shorter than its length {span:g} m",
+                recurrence=recurrence,
+                span=profile.span,
+            )
         )

@@ -150,7 +150,9 @@ ClassName = Annotated[RoadClass, BeforeValidator(_letter)]
 def _one_roughness(class_: str | None, roughness: float | None) -> float:
     if (class_ is None) == (roughness is None):
         given = "neither a class nor a roughness is" if class_ is None else "both a class and a roughness are"
-        raise ValueError(f'{given} given; give class = "A" to "H", or roughness = G_d(0.1 1/m) in m^3')
+        raise ValueError(
+            Phrase('{given} given; give class = "A" to "H", or roughness = G_d(0.1 1/m) in m^3', given=given)
+        )
     return class_roughness(class_) if class_ is not None else float(roughness or 0.0)
 
 
@@ -227,10 +229,16 @@ class Iso8608(SampledRoad):
         _one_roughness(self.class_, self.roughness)
         low, high = self.band
         if high <= low:
-            raise ValueError(f"band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]")
+            raise ValueError(
+                Phrase("band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]", high=high, low=low)
+            )
         if low >= 0.5 / self.step:
             raise ValueError(
-                f"points every {self.step:g} m cannot represent waves of {low:g} 1/m and more; make step smaller"
+                Phrase(
+                    "points every {step:g} m cannot represent waves of {low:g} 1/m and more; make step smaller",
+                    step=self.step,
+                    low=low,
+                )
             )
         if 2.0 * self.fade > self.length * (1.0 + 1e-9):
             text = "two fades of {fade:g} m do not fit into the length {length:g} m"
@@ -438,12 +446,22 @@ class SineSum(Road):
             raise ValueError("the sum of sines repeats by itself; leave out recurrence")
         self._roughness()
         if self.last < self.first:
-            raise ValueError(f"last = {self.last} is below first = {self.first}")
+            raise ValueError(Phrase("last = {last} is below first = {first}", last=self.last, first=self.first))
         shortest = 1.0 / (self.last * self.spacing)
         if self.step > 0.25 * shortest:
-            raise ValueError(f"points every {self.step:g} m do not follow waves of {shortest:g} m; make step smaller")
+            raise ValueError(
+                Phrase(
+                    "points every {step:g} m do not follow waves of {shortest:g} m; make step smaller",
+                    step=self.step,
+                    shortest=shortest,
+                )
+            )
         if _points(self.period(), self.step) > MOST_POINTS:
-            raise ValueError(f"more than {MOST_POINTS} points in one period; make step or spacing larger")
+            raise ValueError(
+                Phrase(
+                    "more than {most_points} points in one period; make step or spacing larger", most_points=MOST_POINTS
+                )
+            )
 
     def period(self) -> float:
         """Distance in m after which the road repeats."""

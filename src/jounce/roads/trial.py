@@ -18,6 +18,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import remembered
 from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
@@ -79,11 +80,15 @@ class Load(Description):
             raise ValueError("start and ramp go with value; points have their own times")
         if len(self.time) != len(self.values) or len(self.time) == 1:
             raise ValueError(
-                f"time has {len(self.time)} numbers and values has {len(self.values)}; give as many, at least 2"
+                Phrase(
+                    "time has {count} numbers and values has {second_count}; give as many, at least 2",
+                    count=len(self.time),
+                    second_count=len(self.values),
+                )
             )
         for a, b in pairwise(self.time):
             if b <= a:
-                raise ValueError(f"time does not ascend: {a:g} s, then {b:g} s")
+                raise ValueError(Phrase("time does not ascend: {a:g} s, then {b:g} s", a=a, b=b))
         return self
 
     def segments(self, duration: float) -> Segments:
@@ -175,12 +180,20 @@ class Excitation(RecordingFormat):
     @model_validator(mode="after")
     def _check_fields(self) -> Self:
         if self.file is None and (self.time or self.height) and len(self.time) < FEWEST_SAMPLES:
-            raise ValueError(f"{len(self.time)} samples; an excitation needs at least {FEWEST_SAMPLES}")
+            raise ValueError(
+                Phrase(
+                    "{count} samples; an excitation needs at least {fewest_samples}",
+                    count=len(self.time),
+                    fewest_samples=FEWEST_SAMPLES,
+                )
+            )
         check_source(self.file, {"time": self.time, "height": self.height}, self.interpolation)
         if self.file is not None:
             self.profile()
         elif self._keys():
-            raise ValueError(f"{', '.join(self._keys())}: says how a file is read, and none is given; give file")
+            raise ValueError(
+                Phrase("{keys}: says how a file is read, and none is given; give file", keys=", ".join(self._keys()))
+            )
         return self
 
     def profile(self) -> Profile:
@@ -238,7 +251,12 @@ def _read_recording(
     """Read the heights of a recording as pieces, with the findings of its reader."""
     time, height, findings = RecordingFormat.model_validate_json(keys).signal(file, Path(), "road.z")
     if len(time) < FEWEST_SAMPLES:
-        raise RecordingError("too few samples", where=str(file), found=len(time), allowed=f"at least {FEWEST_SAMPLES}")
+        raise RecordingError(
+            "too few samples",
+            where=str(file),
+            found=len(time),
+            allowed=Phrase("at least {fewest_samples}", fewest_samples=FEWEST_SAMPLES),
+        )
     return point_profile(tuple(time), tuple(height), interpolation), tuple(findings)
 
 
@@ -269,7 +287,13 @@ class ActuatorForce(Description):
     @model_validator(mode="after")
     def _check_fields(self) -> Self:
         if len(self.time) < FEWEST_SAMPLES:
-            raise ValueError(f"{len(self.time)} samples; an actuator force needs at least {FEWEST_SAMPLES}")
+            raise ValueError(
+                Phrase(
+                    "{count} samples; an actuator force needs at least {fewest_samples}",
+                    count=len(self.time),
+                    fewest_samples=FEWEST_SAMPLES,
+                )
+            )
         check_source(None, {"time": self.time, "force": self.force}, self.interpolation)
         return self
 
@@ -310,13 +334,19 @@ class SpeedOverTime(Description):
     def _check_points(self) -> Self:
         if len(self.time) != len(self.speed) or len(self.time) < 2:
             raise ValueError(
-                f"time has {len(self.time)} numbers and speed has {len(self.speed)}; give as many, at least 2"
+                Phrase(
+                    "time has {count} numbers and speed has {second_count}; give as many, at least 2",
+                    count=len(self.time),
+                    second_count=len(self.speed),
+                )
             )
         if self.time[0] != 0.0:
-            raise ValueError(f"time begins at {self.time[0]:g} s; it must begin at 0, where the trial starts")
+            raise ValueError(
+                Phrase("time begins at {time:g} s; it must begin at 0, where the trial starts", time=self.time[0])
+            )
         for a, b in pairwise(self.time):
             if b <= a:
-                raise ValueError(f"time does not ascend: {a:g} s, then {b:g} s")
+                raise ValueError(Phrase("time does not ascend: {a:g} s, then {b:g} s", a=a, b=b))
         return self
 
     def travelled(self, duration: float) -> tuple[Array, Array]:
@@ -389,14 +419,18 @@ class Trial(Description):
     def _check_fields(self) -> Self:
         if (self.road is None) == (self.excitation is None):
             given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
-            raise misplaced((), f"{given} given", allowed="road and speed, or excitation")
+            raise misplaced((), Phrase("{given} given", given=given), allowed="road and speed, or excitation")
         if self.speeds is not None and self.road is None:
             raise ValueError("speeds are given without a road; an excitation is in time already")
         if self.speeds is not None and "duration" in self.model_fields_set:
             mean = float(self.speeds.travelled(self.duration)[1][-1]) / self.duration
             if self.speed is not None and abs(self.speed / mean - 1.0) > _SAME_MEAN:
                 raise ValueError(
-                    f"speed ({self.speed:g} m/s) and speeds (a mean of {mean:g} m/s) are given; leave out speed"
+                    Phrase(
+                        "speed ({speed:g} m/s) and speeds (a mean of {mean:g} m/s) are given; leave out speed",
+                        speed=self.speed,
+                        mean=mean,
+                    )
                 )
             object.__setattr__(self, "speed", mean)
         if self.road is not None and self.speed is None:
@@ -434,7 +468,9 @@ class Trial(Description):
             raise ValueError("the duration is missing, e.g. duration = '3 s'")
         end = self.excitation.end()
         if end <= 0.0:
-            raise ValueError(f"the excitation's last time is {end:g} s; it must lie after 0, where the trial starts")
+            raise ValueError(
+                Phrase("the excitation's last time is {end:g} s; it must lie after 0, where the trial starts", end=end)
+            )
         return end
 
     def segments(self, behind: float = 0.0, side: int = 1) -> Segments:

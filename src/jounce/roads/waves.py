@@ -152,7 +152,12 @@ def swept_sine(
         raise DescriptionError("unknown law", where="law", found=law, allowed="linear, logarithmic")
     waves = _cycles(first, last, length, law)
     if waves > MOST_WAVES:
-        raise DescriptionError("too many waves", where="duration", found=f"{waves:.0f}", allowed=f"up to {MOST_WAVES}")
+        raise DescriptionError(
+            "too many waves",
+            where="duration",
+            found=f"{waves:.0f}",
+            allowed=Phrase("up to {most_waves}", most_waves=MOST_WAVES),
+        )
     time, phase, _ = _swept(first, last, length, law)
     return Excitation(time=time, height=a * np.sin(phase))
 

@@ -15,6 +15,7 @@ from jounce.core.columns import text_of
 from jounce.core.errors import RecordingError, at_line
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Number, operation
+from jounce.core.phrases import Phrase
 from jounce.core.recursion import first_order
 from jounce.core.samples import as_samples
 from jounce.core.serialise import Plain, to_plain
@@ -269,10 +270,10 @@ def _check_spacing(x: Array, z: Array, place: str) -> float:
     if jitter.max() > LARGEST_JITTER * usual + 1e-9 * abs(x).max():
         row = int(jitter.argmax()) + 1
         raise RecordingError(
-            f"the samples are not evenly spaced: see row {row + 1}",
+            Phrase("the samples are not evenly spaced: see row {row}", row=row + 1),
             where=place,
             found=f"a step of {steps[row - 1]:.6g} m",
-            allowed=f"{usual:.6g} m within 1 %, as in the rest",
+            allowed=Phrase("{usual:.6g} m within 1 %, as in the rest", usual=usual),
             hint="Is a row missing, or was distance written with too few digits?",
         )
     return spacing
@@ -296,14 +297,17 @@ def _check_lengths(x: Array, spacing: float, base: float, segment: float, run_up
             "the samples are too far apart for the roughness index",
             where=place,
             found=f"{spacing:g} m",
-            allowed=f"at most {COARSEST} m",
+            allowed=Phrase("at most {coarsest} m", coarsest=COARSEST),
             hint="Is the distance in the unit that its header says?",
         )
     if not run_up > 0.0:
         raise RecordingError("the run-up is not positive", where=place, found=f"{run_up:g} m")
     if not segment >= max(base, spacing):
         raise RecordingError(
-            "the segment is too short", where=place, found=f"{segment:g} m", allowed=f"at least {base:g} m"
+            "the segment is too short",
+            where=place,
+            found=f"{segment:g} m",
+            allowed=Phrase("at least {base:g} m", base=base),
         )
     total = float(x[-1] - x[0])
     if total < run_up + base - _NEARLY:
@@ -311,7 +315,12 @@ def _check_lengths(x: Array, spacing: float, base: float, segment: float, run_up
             "the profile is too short for the roughness index",
             where=place,
             found=f"{total:g} m",
-            allowed=f"at least {run_up + base:g} m: {run_up:g} m give the state at the start, {base:g} m one slope",
+            allowed=Phrase(
+                "at least {run_up:g} m: {second_run_up:g} m give the state at the start, {base:g} m one slope",
+                run_up=run_up + base,
+                second_run_up=run_up,
+                base=base,
+            ),
             hint="Is the distance in the unit that its header says?",
         )
 
@@ -322,7 +331,11 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
             "these heights are implausible for a road",
             where=place,
             found=f"IRI {whole:.4g} m/km",
-            allowed=f"at most {NO_ROAD:g} m/km; the roughest tracks have some {ROUGHEST:g}",
+            allowed=Phrase(
+                "at most {no_road:g} m/km; the roughest tracks have some {roughest:g}",
+                no_road=NO_ROAD,
+                roughest=ROUGHEST,
+            ),
             hint="Are heights and distances in the units that their headers say?",
         )
     findings = []

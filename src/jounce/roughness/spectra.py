@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -199,7 +200,9 @@ def estimate_roughness(
         raise RecordingError(
             "the profile is too short or too coarse for its roughness",
             found=f"{step * (len(z) - 1):g} m with points every {step:g} m",
-            allowed=f"waves over two octaves between {band[0]:g} and {band[1]:g} 1/m",
+            allowed=Phrase(
+                "waves over two octaves between {band:g} and {second_band:g} 1/m", band=band[0], second_band=band[1]
+            ),
         )
     across = np.log10(centre / REFERENCE)
     if waviness is None:

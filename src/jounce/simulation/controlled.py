@@ -20,6 +20,7 @@ from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
 from jounce.core.errors import JounceError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import Recent
 from jounce.core.segments import Segments, flat
 from jounce.core.text import qualify
@@ -153,7 +154,7 @@ def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
     tracks = compiled.facts.tracks
     if loop.element is not None and any(_command(corner) not in tracks for corner in loop.corners):
         raise SimulationError(
-            f"the rig has no {loop.element} that a force could take the place of",
+            Phrase("the rig has no {element} that a force could take the place of", element=loop.element),
             where="control: actuator: in_place_of",
             allowed="another rig, or another element",
         )
@@ -187,7 +188,7 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
     models = corner_models(rig)
     if controller.needs_wheel and any(model.unsprung_mass <= 0.0 for model in models.values()):
         raise SimulationError(
-            f"the law {controller.name!r} needs wheels with mass and tyre",
+            Phrase("the law {name!r} needs wheels with mass and tyre", name=controller.name),
             where="control",
             found=f"massless axles ({type(rig).__name__})",
             allowed="skyhook, pid and others that need the body only, or a model with wheels",
@@ -217,7 +218,7 @@ class _Law:
                 "too many control instants",
                 where="control: rate",
                 found=f"{first.rate:g} Hz for {duration:g} s",
-                allowed=f"at most {MAX_STEPS} instants a run",
+                allowed=Phrase("at most {max_steps} instants a run", max_steps=MAX_STEPS),
                 hint="Lower the control rate or shorten the run.",
             )
         self._instants = int(np.ceil((times[-1] - times[0]) * first.rate - 1e-9)) + 1
@@ -249,7 +250,7 @@ class _Law:
         missing = [name for name in channels if name not in names]
         if missing:
             raise SimulationError(
-                f"the law {first.name!r} needs a channel that the model does not have",
+                Phrase("the law {name!r} needs a channel that the model does not have", name=first.name),
                 where="control",
                 found=", ".join(missing),
                 allowed="a law that needs other channels, or a model with wheels of their own",
@@ -476,7 +477,7 @@ def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: Pr
             "the coupling is unstable: a force held for a whole period feeds small motions",
             where="control: rate",
             found=growing,
-            allowed=f"{1.0 / finer:.6g} Hz and more",
+            allowed=Phrase("{finer:.6g} Hz and more", finer=1.0 / finer),
             hint=f"Or {_NEARER if loop.element else _DAMPED} (check=False runs it all the same).",
         )
     raise SimulationError(

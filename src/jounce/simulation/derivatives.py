@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
@@ -229,7 +230,7 @@ def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
             "the recording does not fit the trial",
             where="objective: time",
             found=f"{times[0]:g} to {times[-1]:g} s" if len(times) else "no samples",
-            allowed=f"rising times from 0 to {trial.duration:g} s",
+            allowed=Phrase("rising times from 0 to {duration:g} s", duration=trial.duration),
         )
     return times if times[0] == 0.0 else np.concatenate([[0.0], times])
 

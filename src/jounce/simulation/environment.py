@@ -13,6 +13,7 @@ from jounce.control.actuators import AnyActuator, SemiActiveDamper
 from jounce.control.laws import Passive
 from jounce.core.errors import DescriptionError, SimulationError, named, unknown
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.text import qualify
 from jounce.core.types import Array
@@ -126,7 +127,10 @@ class Stepper:
         given = as_samples(commands, where="step", error=SimulationError).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):
             raise SimulationError(
-                "not commands", where="step", found=given.tolist(), allowed=f"{len(self.corners)} finite numbers"
+                "not commands",
+                where="step",
+                found=given.tolist(),
+                allowed=Phrase("{count} finite numbers", count=len(self.corners)),
             )
         if self.finished or self.status is not Status.COMPLETED:
             raise SimulationError("the run is over", where=f"t = {self.time:.6g} s", hint="Start it again.")
@@ -229,7 +233,9 @@ def _environment_class() -> Any:
             self._make: Callable[[Trial], Stepper] = lambda chosen: _stepper(rig, chosen, actuator, rate)
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
             if not isinstance(first, Trial):
-                raise DescriptionError(f"the function gives {named(first)}", where="trial", allowed="a trial")
+                raise DescriptionError(
+                    Phrase("the function gives {first}", first=named(first)), where="trial", allowed="a trial"
+                )
             self._run = self._make(first)
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
             self._cost = _weights(self._run, cost, default=COST)

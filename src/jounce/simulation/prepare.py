@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.phrases import Phrase
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import NO_FEEDBACK, Control, Feedback, Problem, Samples, Status, flatten
@@ -204,7 +205,7 @@ def _check_steps(steps: float, most: float, rate: float, duration: float, place:
             "the fastest motion is too fast for a run as long as this",
             where=place,
             found=f"{rate / (2.0 * math.pi):.3g} Hz for {duration:.4g} s, {steps:.2g} steps at least",
-            allowed=f"{most:.2g} steps",
+            allowed=Phrase("{most:.2g} steps", most=most),
             hint="Check masses and stiffnesses for slips in their units, or shorten the run.",
         )
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import ModelFacts
@@ -60,7 +61,7 @@ def samples_reached(solution: Solution, facts: ModelFacts, *, check: bool) -> in
     if check:
         at = max(reached - 1, 0)
         last = f"it stopped after {solution.time[at]:.4g} s: {solution.status.help}{_pose(solution, facts, at)}"
-        raise SimulationError(f"the run did not reach its end; {last}")
+        raise SimulationError(Phrase("the run did not reach its end; {last}", last=last))
     return reached
 
 

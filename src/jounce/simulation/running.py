@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import SimulationError
+from jounce.core.phrases import Phrase
 from jounce.parts import Rig
 from jounce.roads import Road, Trial
 from jounce.simulation.linear_model import linearise
@@ -46,7 +47,7 @@ def loops_before(rig: Rig, period: float) -> int:
             "the rig does not settle into a periodic motion",
             where="start",
             found=f"an oscillation that decays with {max(decay, 0.0):.3g} 1/s, loops of {period:.3g} s",
-            allowed=f"at most {MOST_LOOPS} loops",
+            allowed=Phrase("at most {most_loops} loops", most_loops=MOST_LOOPS),
             hint="Give it a damper, or start at rest.",
         )
     return max(loops, 1)

@@ -9,6 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from jounce.core.errors import SimulationError
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import as_number
 
@@ -61,7 +62,9 @@ class RunSettings:
         for name, si, unit in (("output_step", "s", " in s"), ("tolerance", "1", "")):
             value = getattr(self, name)
             if isinstance(value, str):
-                raise SimulationError("not a number", where=name, found=value, allowed=f"a number{unit}")
+                raise SimulationError(
+                    "not a number", where=name, found=value, allowed=Phrase("a number{unit}", unit=unit)
+                )
             object.__setattr__(self, name, as_number(value, si, where=name))
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
@@ -80,7 +83,7 @@ class RunSettings:
                 "too many samples",
                 where="duration, output_step",
                 found=f"{duration / self.output_step:.3g}",
-                allowed=f"at most {_MAX_SAMPLES}",
+                allowed=Phrase("at most {max_samples}", max_samples=_MAX_SAMPLES),
                 hint="Shorten the run or lengthen the output step.",
             )
         few = duration / self.output_step <= _SHARED_SAMPLES

@@ -12,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.seeds import check_seed
 from jounce.core.text import quoted
 from jounce.core.types import Array
@@ -56,7 +57,7 @@ class Sensors:
 
 def _refuse_below_zero(name: str, value: float | None, unit: str) -> None:
     if value is not None and not (np.isfinite(value) and value >= 0.0):
-        raise SimulationError("out of range", where=name, found=value, allowed=f"0 {unit} or more")
+        raise SimulationError("out of range", where=name, found=value, allowed=Phrase("0 {unit} or more", unit=unit))
 
 
 def simulate_test(

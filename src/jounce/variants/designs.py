@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.samples import as_values
 from jounce.core.seeds import check_seed, is_whole
 from jounce.core.shown import Shown
@@ -89,7 +90,12 @@ class Design(Shown):
             least, most = limit(path).limits
             if math.isfinite(low) and (low < least or high > most):
                 raise DescriptionError(
-                    f"the spread reaches beyond what is allowed, from {low:g} to {high:g} {limit(path).si}",
+                    Phrase(
+                        "the spread reaches beyond what is allowed, from {low:g} to {high:g} {si}",
+                        low=low,
+                        high=high,
+                        si=limit(path).si,
+                    ),
                     where=path,
                     found=self.spreads[path],
                     allowed=limit(path).allowed,
@@ -330,7 +336,9 @@ def is_list(values: Any) -> bool:
 
 def _count(count: int) -> int:
     if not is_whole(count) or not 1 <= count <= MOST:
-        raise DescriptionError("not a number of variants", where="count", found=count, allowed=f"1 to {MOST}")
+        raise DescriptionError(
+            "not a number of variants", where="count", found=count, allowed=Phrase("1 to {most}", most=MOST)
+        )
     return int(count)
 
 

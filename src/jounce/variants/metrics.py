@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.recordings.schema import channels_of
 from jounce.ride.weighting import WEIGHTINGS, check_duration, weighted
@@ -73,7 +74,7 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
         if words[0] not in WORDS and words[0] not in WEIGHTINGS:
             known = (*WORDS, *WEIGHTINGS)
             raise DescriptionError(
-                f"no such number of a channel: {words[0]!r}",
+                Phrase("no such number of a channel: {words!r}", words=words[0]),
                 where="metrics",
                 found=text,
                 allowed=", ".join(known),

@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.constants import NORMAL_95
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 if TYPE_CHECKING:
@@ -188,7 +189,9 @@ def _estimate_with_ends(
 
 def _check_count(count: int, least: int) -> None:
     if count < least:
-        raise DescriptionError("too few variants that ran", where="many", found=count, allowed=f"at least {least}")
+        raise DescriptionError(
+            "too few variants that ran", where="many", found=count, allowed=Phrase("at least {least}", least=least)
+        )
 
 
 def _are_whole(belong: Array, ran: Array, size: int) -> Array:

@@ -30,6 +30,7 @@ from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.files import content_of
 from jounce.core.locking import hold
+from jounce.core.phrases import Phrase
 from jounce.core.processes import check_workers, refusal
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.text import qualify
@@ -326,7 +327,9 @@ def read_kept(folder: Path) -> KeptSweep:
     file = folder / MANIFEST
     try:
         if not file.is_file():
-            raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}")
+            raise OutputError(
+                "the folder holds no sweep", where=str(folder), allowed=Phrase("one with {manifest}", manifest=MANIFEST)
+            )
         about = json.loads(content_of(file, OutputError))
         shards = KeptSweep(folder, about)
         size = int(about["shard"])

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.seeds import is_whole
 from jounce.core.waiting import told
 from jounce.parts import Rig, as_rig
@@ -163,6 +164,6 @@ def _check_size(count: int, channels: int, samples: int) -> None:
             "too many samples to keep",
             where="variants, outputs, output_step",
             found=f"{count} variants of {channels} channels with {samples} samples",
-            allowed=f"{_MOST_SAMPLES:.0e} numbers",
+            allowed=Phrase("{most_samples:.0e} numbers", most_samples=_MOST_SAMPLES),
             hint="Ask for metrics, for fewer outputs, or for a longer output step.",
         )

@@ -14,6 +14,7 @@ from pydantic import Field, model_validator
 from jounce.core.description import Description, Seed, Whole, line_of, read_description
 from jounce.core.errors import JounceError, as_found, at_line, below
 from jounce.core.misplaced import misplaced
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_json
 from jounce.core.text import guarded
 from jounce.core.types import Array
@@ -54,7 +55,11 @@ class SweepDesign(Description):
     def _check_count(self) -> SweepDesign:
         if (self.kind in ("list", "grid")) != (self.count is None):
             said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
-            raise misplaced(("count",), f"a design of kind {self.kind!r} {said}", found=as_found(self.count))
+            raise misplaced(
+                ("count",),
+                Phrase("a design of kind {kind!r} {said}", kind=self.kind, said=said),
+                found=as_found(self.count),
+            )
         return self
 
 

@@ -22,6 +22,7 @@ from typing import Any
 
 from jounce.core.errors import JounceError, named
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.process_settings import PROCESS_SETTINGS
 from jounce.core.processes import NoWorkersError, starting_workers
 from jounce.core.trust import trust_said, trusting
@@ -192,7 +193,9 @@ def check_cluster(client: Any) -> None:
     """Refuse a cluster without workers, or with versions of Python or packages that could change results."""
     distributed = require("distributed", "cluster")
     if not hasattr(client, "scheduler"):
-        raise JounceError(f"{named(client)} is no cluster", where="client", allowed="a dask.distributed.Client")
+        raise JounceError(
+            Phrase("{client} is no cluster", client=named(client)), where="client", allowed="a dask.distributed.Client"
+        )
     where = str(getattr(client.scheduler, "address", "client"))
     try:
         client.wait_for_workers(1, timeout=_JOINING)

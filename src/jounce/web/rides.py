@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.phrases import Phrase
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,7 +33,9 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
         except JounceError as error:
             failed[label] = error.message()
     if not found:
-        raise DescriptionError(f"none of them could be driven: {'; '.join(failed.values())}", where="rides")
+        raise DescriptionError(
+            Phrase("none of them could be driven: {values}", values="; ".join(failed.values())), where="rides"
+        )
     runs, notes = alike({label: ride.settled for label, ride in found.items()})
     spectra = spectra_of(runs, shortest=_SHORTEST)
     viewers = [

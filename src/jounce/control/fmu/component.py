@@ -21,6 +21,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, finding
 from jounce.core.markup import parse_xml
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
@@ -182,7 +183,7 @@ class FmuComponent(Plain):
                 "the unit does not fit",
                 where=f"{self.path}: {variable.name}",
                 found=variable.unit,
-                allowed=f"a unit that converts to {si}",
+                allowed=Phrase("a unit that converts to {si}", si=si),
                 hint="Connect it to another channel.",
             )
         return 1.0 / unit.factor, -unit.offset / unit.factor
@@ -267,7 +268,9 @@ def _refuse_damaged(file: Path) -> Iterator[None]:
             raise  # of the disk that receives the files
         text = " ".join(str(error).split()) or type(error).__name__
         allowed = "an FMU (a ZIP file)"
-        raise DescriptionError(f"not an archive that can be read: {text}", where=str(file), allowed=allowed) from None
+        raise DescriptionError(
+            Phrase("not an archive that can be read: {text}", text=text), where=str(file), allowed=allowed
+        ) from None
 
 
 def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]:
@@ -279,7 +282,11 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
             "too large for an FMU",
             where=where,
             found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpacked",
-            allowed=f"{_MOST_FILES} files of {_MOST_BYTES / 1e6:g} MB together",
+            allowed=Phrase(
+                "{most_files} files of {most_bytes:g} MB together",
+                most_files=_MOST_FILES,
+                most_bytes=_MOST_BYTES / 1000000.0,
+            ),
         )
     members: dict[str, zipfile.ZipInfo] = {}
     for info in files:
@@ -299,7 +306,9 @@ def _parse(text: bytes, where: str) -> ET.Element:
     try:
         return parse_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
-        raise DescriptionError(f"its modelDescription.xml is not XML of an FMU: {error}", where=where) from None
+        raise DescriptionError(
+            Phrase("its modelDescription.xml is not XML of an FMU: {error}", error=str(error)), where=where
+        ) from None
 
 
 def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipInfo]) -> FmuComponent:

@@ -24,6 +24,7 @@ from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable
 from jounce.core.child_processes import ChildProcess
 from jounce.core.errors import DescriptionError, ResourceError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.text import qualify, shortened
 from jounce.core.trust import trust_said
 from jounce.core.types import Array
@@ -183,12 +184,14 @@ class _Whole:
         is_between = not self.is_rounded and value % 1.0 != 0.0
         hint = f"Say what a count is, counts = {{ {self.name!r} = ... }}, or connect another channel."
         raise SimulationError(
-            f"the input {self.name} takes whole numbers, and {self.channel} is none"
+            Phrase("the input {name} takes whole numbers, and {channel} is none", name=self.name, channel=self.channel)
             if is_between
-            else f"{self.channel} is beyond what the input {self.name} holds",
+            else Phrase("{channel} is beyond what the input {name} holds", channel=self.channel, name=self.name),
             where=where,
             found=f"{value:.9g}",
-            allowed="0 and 1" if self.most == 1 else f"whole numbers from {self.least} to {self.most}",
+            allowed="0 and 1"
+            if self.most == 1
+            else Phrase("whole numbers from {least} to {most}", least=self.least, most=self.most),
             hint=hint if is_between and self.most > 1 else "Connect another channel, or change its count.",
         )
 
@@ -272,14 +275,19 @@ class _Connection:
             raise unknown(name, [_elements(v) for v in variables], what=what, where=where)
         if variable.size > _LARGEST:
             raise DescriptionError(
-                "an array too large", where=f"{where}: {name}", found=variable.shape, allowed=f"{_LARGEST} elements"
+                "an array too large",
+                where=f"{where}: {name}",
+                found=variable.shape,
+                allowed=Phrase("{largest} elements", largest=_LARGEST),
             )
         if what != "parameter" and (at is None or not variable.is_number):
             raise DescriptionError(
-                f"an {what} that is no number",
+                Phrase("an {what} that is no number", what=what),
                 where=f"{where}: {name}",
                 found=variable.shape,
-                allowed=f"an element: {_elements(variable)}" if variable.is_number else ", ".join((*REALS, *WHOLE)),
+                allowed=Phrase("an element: {elements}", elements=_elements(variable))
+                if variable.is_number
+                else ", ".join((*REALS, *WHOLE)),
             )
         return _VariablePlace(name, variable, at)
 
@@ -375,7 +383,9 @@ class _Connection:
             where = f"control: counts: {place.name}"
             count = to_si(self.law.counts[place.name], si, where=where)
             if not (math.isfinite(count) and count > 0.0 and math.isfinite(1.0 / count)):
-                raise DescriptionError("a count without a size", where=where, found=count, allowed=f"more than 0 {si}")
+                raise DescriptionError(
+                    "a count without a size", where=where, found=count, allowed=Phrase("more than 0 {si}", si=si)
+                )
             return 1.0 / count, 0.0
         if not variable.unit and si not in ("", "1"):
             note = finding("control.no_unit", f"{self.component.path}: {variable.name}", unit=si)
@@ -450,8 +460,8 @@ class _Connection:
                 "an array whose elements have no start, so that none can be set alone",
                 where=f"{self.component.path}: {variable.name}",
                 found=variable.start,
-                allowed=f"{variable.size} values of type {variable.kind}",
-                hint=f"Give all of them: parameters = {{ {variable.name!r} = [...] }}.",
+                allowed=Phrase("{size} values of type {kind}", size=variable.size, kind=variable.kind),
+                hint=Phrase("Give all of them: parameters = {{ {name!r} = [...] }}.", name=variable.name),
             )
         return elements
 
@@ -753,7 +763,7 @@ def _check_period(component: FmuComponent, period: float) -> None:
             "the control period is no multiple of the FMU's fixed step",
             where=f"{component.path}",
             found=f"{period:g} s",
-            allowed=f"multiples of {fixed:g} s",
+            allowed=Phrase("multiples of {fixed:g} s", fixed=fixed),
             hint="Give another control rate.",
         )
 
@@ -824,14 +834,18 @@ class _FmuProcess:
             return self._process.read(count, patience)
         except TimeoutError:
             self._process.kill()
-            raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended") from None
+            raise caller.FmuFailedError(
+                Phrase("it has not answered for {patience:g} s, and was ended", patience=patience)
+            ) from None
         except EOFError:
             raise self._crash() from None
 
     def _crash(self) -> caller.FmuFailedError:
         code = self._process.process.wait()
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
-        return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
+        return caller.FmuFailedError(
+            Phrase("the FMU crashed ({how}); what it ran in was a process of its own", how=how)
+        )
 
     def close(self) -> None:
         """End the process, and remove its folder."""

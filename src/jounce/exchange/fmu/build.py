@@ -11,6 +11,7 @@ from pathlib import Path
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, is_of_system, resource_error, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.programs import program_on_path
 from jounce.kernel.cache import cache_folder
 
@@ -64,7 +65,9 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
     except (OSError, subprocess.TimeoutExpired) as error:
         if is_of_system(error):
             raise resource_error(error, f"{platform}, {name}") from None
-        raise OutputError(f"the C of the FMU was not compiled: {error}", where=platform, hint=_HINT) from None
+        raise OutputError(
+            Phrase("the C of the FMU was not compiled: {error}", error=str(error)), where=platform, hint=_HINT
+        ) from None
     if done.returncode:
         raise OutputError(
             "the C of the FMU was not compiled",

@@ -16,6 +16,7 @@ from jounce.core.errors import DescriptionError, OutputError, SimulationError, u
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, File, MadeBy, Mark, Switch, Texts, operation
 from jounce.core.optional import how_to_install
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
@@ -198,7 +199,10 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
                 where="export",
                 found=", ".join(wanted),
                 allowed=this_platform(),
-                hint=f"Install the extra fmu ({how_to_install('fmu')}) to compile for every platform.",
+                hint=Phrase(
+                    "Install the extra fmu ({how_to_install}) to compile for every platform.",
+                    how_to_install=how_to_install("fmu"),
+                ),
             )
         findings.append(finding("exchange.no_compiler", str(file)))
         wanted = ()

@@ -14,6 +14,7 @@ from jounce.control.controller import CallbackController
 from jounce.control.program import Program, program, values
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Unit
 from jounce.exchange.fmu.reference import Given, of_mechanism, of_rig, of_tester
@@ -115,7 +116,9 @@ def subject_of(
     if isinstance(model, Mechanism):
         for word, given in (("control", control), ("tester", tester), ("controller", controller_only or None)):
             if given is not None:
-                raise DescriptionError(f"a mechanism has no {word}", where=word, allowed="rigs and vehicles")
+                raise DescriptionError(
+                    Phrase("a mechanism has no {word}", word=word), where=word, allowed="rigs and vehicles"
+                )
         return _of_mechanism(model)
     if controller_only and (tester is not None or control is None):
         raise DescriptionError("a controller alone needs one", where="control", allowed="a controller, and no tester")

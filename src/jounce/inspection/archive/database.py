@@ -14,6 +14,7 @@ from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
 from jounce.core.optional import how_to_install, require
+from jounce.core.phrases import Phrase
 from jounce.core.writing import sweep_beside, temporary_beside
 
 require("sqlalchemy", "store")
@@ -208,13 +209,17 @@ def reported_errors(location: str) -> Iterator[None]:
         cause = error.orig if isinstance(error, DBAPIError) else error
         reason = (str(cause).strip() or type(cause).__name__).splitlines()[0]
         if any(word in reason for word in _DAMAGES):
-            raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
+            raise DamagedStoreError(
+                Phrase("the store is damaged: {reason}", reason=reason), where=location, hint=_LEFT_ALONE
+            ) from None
         hint = "Check the rights and the space."
         if "locked" in reason:
             hint = "Another process writes; try again."
         elif file_of(location) is None:
             hint = "Check the server, its database, the rights and the password."
-        raise OutputError(f"the store cannot be used: {reason}", where=location, hint=hint) from None
+        raise OutputError(
+            Phrase("the store cannot be used: {reason}", reason=reason), where=location, hint=hint
+        ) from None
 
 
 def _open_other(location: str, *, read_only: bool) -> Engine:
@@ -376,7 +381,9 @@ def _check_tables(connection: Connection, location: str) -> None:
     for name in SMALL if is_file else ():
         report = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
         if report != _WHOLE:
-            raise DamagedStoreError(f"the store is damaged: {report.strip()}", where=location, hint=_LEFT_ALONE)
+            raise DamagedStoreError(
+                Phrase("the store is damaged: {report}", report=report.strip()), where=location, hint=_LEFT_ALONE
+            )
     version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
     if version != SCHEMA_VERSION:
         raise RecordingError(

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_json
 from jounce.core.types import Array
 from jounce.inspection.findings import of_plain
@@ -147,7 +148,7 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         start = 4 + struct.unpack_from("<I", content)[0]
         head = json.loads(content[4:start])
     except (zlib.error, struct.error, ValueError) as error:
-        raise RecordingError(f"the packed signals are damaged: {error}") from None
+        raise RecordingError(Phrase("the packed signals are damaged: {error}", error=str(error))) from None
     if head.get("format") != _FORMAT:
         raise RecordingError("packed signals of another version", found=str(head.get("format")), allowed=_FORMAT)
     arrays: dict[str, tuple[Array, str, str]] = {}

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 from jounce.core.errors import DescriptionError, RecordingError, unknown
 from jounce.core.operation import Count, File, Mark, Switch, operation
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
 from jounce.core.waiting import counted
@@ -367,7 +368,9 @@ def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
         problems, count = opened.problems(), len(opened.numbers())
     if problems:
         raise RecordingError(
-            f"the store is damaged: {'; '.join(problems)}", where=opened.location, hint="Use a copy of the store."
+            Phrase("the store is damaged: {problems}", problems="; ".join(problems)),
+            where=opened.location,
+            hint="Use a copy of the store.",
         )
     return VerifiedStore(opened.location, count)
 

@@ -18,6 +18,7 @@ from weakref import finalize
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_json
 from jounce.inspection.archive.database import (
     CONTENTS,
@@ -155,7 +156,9 @@ class Store:
         except zlib.error:
             content, sidecar = b"", None
         if digest_of(content, sidecar) != row.digest:
-            raise DamagedStoreError(f"record {number} is damaged", where=self.location, hint="Take it from a copy.")
+            raise DamagedStoreError(
+                Phrase("record {number} is damaged", number=number), where=self.location, hint="Take it from a copy."
+            )
         return content, sidecar
 
     def signals(self, number: int) -> bytes | None:
@@ -359,14 +362,18 @@ def _grading(row: Any) -> Grading | None:
     if row.result is None:
         return None
     if _seal(row.record, row.verdict, row.limits, row.software, row.result) != row.result_seal:
-        raise DamagedStoreError(f"a grading of record {row.record} is damaged", hint="Use a copy of the store.")
+        raise DamagedStoreError(
+            Phrase("a grading of record {record} is damaged", record=row.record), hint="Use a copy of the store."
+        )
     return Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
 
 def _record_of_row(row: Any, grading: Grading | None) -> StoredRecord:
     known: dict[str, Any] = {name: getattr(row, name) for name in _SHOWN}
     if _seal(*known.values()) != row.seal:
-        raise DamagedStoreError(f"what is known of record {row.number} is damaged", hint="Use a copy of the store.")
+        raise DamagedStoreError(
+            Phrase("what is known of record {number} is damaged", number=row.number), hint="Use a copy of the store."
+        )
     return StoredRecord(row.number, **known, grading=grading)
 
 

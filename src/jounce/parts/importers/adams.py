@@ -16,6 +16,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of
 from jounce.core.findings import Finding, finding
 from jounce.core.markup import parse_xml
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -261,7 +262,7 @@ class _Subsystem:
                 continue
             if part.usage and seen.setdefault(part.usage, part.where) != part.where:
                 raise DescriptionError(
-                    f"the part {part.usage} is given twice",
+                    Phrase("the part {usage} is given twice", usage=part.usage),
                     where=part.where,
                     found=f"first in {seen[part.usage]}",
                     allowed="every part once for a side",
@@ -508,7 +509,7 @@ def _xml_spring(file: Path) -> tuple[float, Array, Array]:
     try:
         root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError) as error:
-        raise DescriptionError(f"not XML of a spring: {error}", where=str(file)) from None
+        raise DescriptionError(Phrase("not XML of a spring: {error}", error=str(error)), where=str(file)) from None
     units = {
         element.get("name", "").upper(): element.get("current", "")
         for element in root.iter()

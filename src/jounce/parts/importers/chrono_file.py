@@ -18,6 +18,7 @@ import numpy as np
 
 from jounce.core.description import description_text, is_nested_deeply
 from jounce.core.errors import DescriptionError, at_line, nearest
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import LARGEST
@@ -69,10 +70,10 @@ class ChronoFile:
             kind = self.table.get("Type")
             of = f" ({kind})" if isinstance(kind, str) and kind != "Suspension" else ""
             raise DescriptionError(
-                f"this kind of Chrono file cannot be read{of}",
+                Phrase("this kind of Chrono file cannot be read{of}", of=of),
                 where=str(path),
                 found=template,
-                allowed=f"the template {', '.join(templates)}",
+                allowed=Phrase("the template {templates}", templates=", ".join(templates)),
                 hint=advice,
             )
         self.template = str(template)
@@ -101,7 +102,7 @@ class ChronoFile:
             if not isinstance(here, dict) or part not in here:
                 known = list(here) if isinstance(here, dict) else []
                 raise DescriptionError(
-                    f"the key {part!r} is missing",
+                    Phrase("the key {part!r} is missing", part=part),
                     where=self.at(*(section,)[:i]),
                     allowed=", ".join(known),
                     hint=nearest(part, known) or self.advice,
@@ -157,14 +158,14 @@ class ChronoFile:
                 "not the numbers that belong here",
                 where=where,
                 found=f"shape {numbers.shape}",
-                allowed=f"{wanted} finite numbers",
+                allowed=Phrase("{wanted} finite numbers", wanted=wanted),
             )
         if np.abs(numbers).max(initial=0.0) > LARGEST:
             raise DescriptionError(
                 "an impossible size",
                 where=where,
                 found=float(np.abs(numbers).max()),
-                allowed=f"sizes up to {LARGEST:g}",
+                allowed=Phrase("sizes up to {largest:g}", largest=LARGEST),
             )
         return numbers
 
@@ -189,7 +190,9 @@ def read_json(path: Path) -> dict[str, Any]:
     try:
         table = json.loads(blank)
     except json.JSONDecodeError as error:
-        raise DescriptionError(f"not valid JSON: {error.msg}", where=at_line(path, error.lineno)) from None
+        raise DescriptionError(
+            Phrase("not valid JSON: {msg}", msg=error.msg), where=at_line(path, error.lineno)
+        ) from None
     except (RecursionError, ValueError):
         what = "not valid JSON: nested too deeply, or an integer of thousands of digits"
         raise DescriptionError(what, where=str(path)) from None

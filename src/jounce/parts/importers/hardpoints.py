@@ -15,6 +15,7 @@ from jounce.core.errors import DescriptionError, at_line, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.optional import MissingPackageError
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.core.workbooks import sheets_of
@@ -178,7 +179,7 @@ def _read(file: Path) -> PointTable:
     width = 0
     for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
         if count > _ROWS:
-            raise DescriptionError("too many rows", where=str(file), allowed=f"up to {_ROWS}")
+            raise DescriptionError("too many rows", where=str(file), allowed=Phrase("up to {rows}", rows=_ROWS))
         header = _header(cells)
         if header is not None:
             (columns, unit), width = header, len(cells)
@@ -190,7 +191,7 @@ def _read(file: Path) -> PointTable:
                 "more numbers than columns",
                 where=where,
                 found=" ".join(cells)[:80],
-                allowed=f"{width} cells, as in the row that names them",
+                allowed=Phrase("{width} cells, as in the row that names them", width=width),
                 hint="Decimal commas need semicolons or tabs between the cells.",
             )
         row = _row(cells, columns, where)
@@ -287,7 +288,9 @@ def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:
     except (DescriptionError, MissingPackageError):
         raise
     except Exception as error:  # noqa: BLE001 - openpyxl raises whatever a damaged file leads to
-        raise DescriptionError(f"not an Excel file that can be read: {error}", where=str(file)) from None
+        raise DescriptionError(
+            Phrase("not an Excel file that can be read: {error}", error=str(error)), where=str(file)
+        ) from None
 
 
 def _is_number(text: str) -> bool:
@@ -477,7 +480,7 @@ class PointReading:
         before = points.setdefault(name, row)
         if not np.array_equal(before.place, row.place):
             raise DescriptionError(
-                f"{name} is given twice",
+                Phrase("{name} is given twice", name=name),
                 where=row.where,
                 found=f"{row.name!r} at {row.place.tolist()}, and {before.name!r} at {before.place.tolist()} "
                 f"({before.where})",
@@ -575,10 +578,10 @@ class PointReading:
         missing = _missing(model, self.points)
         if missing:
             raise DescriptionError(
-                f"points of a {model} are missing",
+                Phrase("points of a {model} are missing", model=model),
                 where=str(self.file),
                 found=", ".join(self.points),
-                allowed=f"also {', '.join(missing)}",
+                allowed=Phrase("also {missing}", missing=", ".join(missing)),
                 hint=_ADVICE,
             )
         further = [name for name in self.points if name not in points.model_fields]
@@ -651,7 +654,7 @@ class PointReading:
                     where=str(self.file),
                     found=f"a wheel centre {half:g} from the middle of the car",
                     allowed="--unit mm, m, inch or cm",
-                    hint=f"It may be in {' or '.join(meant)}." if meant else "",
+                    hint=Phrase("It may be in {meant}.", meant=" or ".join(meant)) if meant else "",
                 )
             chosen = meant[0]
             self.note("parts.import_unit_guessed", unit=chosen, half=half)
@@ -661,8 +664,8 @@ class PointReading:
                 "an implausible half track",
                 where=str(self.file),
                 found=f"a wheel centre {half:g} {chosen} = {half * factor:.4g} m from the middle of the car",
-                allowed=f"{low:g} m to {high:g} m",
-                hint=f"Is the table in {' or '.join(meant)}? Say so with --unit." if meant else "",
+                allowed=Phrase("{low:g} m to {high:g} m", low=low, high=high),
+                hint=Phrase("Is the table in {meant}? Say so with --unit.", meant=" or ".join(meant)) if meant else "",
             )
         self._map(factor * np.eye(3))
 
@@ -693,7 +696,11 @@ class PointReading:
                 "the height of the road is not in the table",
                 where=str(self.file),
                 found=f"a wheel centre {1e3 * height:.4g} mm above z = 0",
-                allowed=f"{1e3 * _RADIUS[0]:g} mm to {1e3 * _RADIUS[1]:g} mm",
+                allowed=Phrase(
+                    "{radius:g} mm to {second_radius:g} mm",
+                    radius=1000.0 * _RADIUS[0],
+                    second_radius=1000.0 * _RADIUS[1],
+                ),
                 hint="Give --wheel-radius: the wheel then stands on the road.",
             )
         if wheel_radius is None:

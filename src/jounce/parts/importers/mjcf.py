@@ -16,6 +16,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, finding
 from jounce.core.markup import parse_xml
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -547,7 +548,7 @@ def _parse(file: Path) -> ET.Element:
     try:
         root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError, RecursionError) as error:
-        raise DescriptionError(f"not XML: {error}", where=str(file), allowed="MJCF") from None
+        raise DescriptionError(Phrase("not XML: {error}", error=str(error)), where=str(file), allowed="MJCF") from None
     if root.tag != "mujoco":
         raise DescriptionError("no MJCF", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>")
     if next(root.iter("include"), None) is not None:

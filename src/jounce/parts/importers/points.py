@@ -15,6 +15,7 @@ import numpy as np
 from jounce.core.description import is_nested_deeply
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 _DEEPEST = 20  # levels of keys
@@ -141,7 +142,9 @@ def from_nested(file: Path, text: str) -> PointTable | None:
     try:
         keys = parse_nested(text)
     except _TwiceError as error:
-        raise DescriptionError(f"{error} is given twice", where=str(file), allowed="every point once") from None
+        raise DescriptionError(
+            Phrase("{error} is given twice", error=str(error)), where=str(file), allowed="every point once"
+        ) from None
     if keys is None or is_nested_deeply(keys):
         return None
     table = PointTable(file, unit=_text(keys.get("units", keys.get("unit"))))

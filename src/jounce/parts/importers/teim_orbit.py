@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, at_line
 from jounce.core.files import content_of, existing_file
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 
@@ -54,7 +55,7 @@ class Block:
         text = self.values.get(key)
         if text is None:
             if default is None:
-                raise DescriptionError(f"{key} is missing", where=self.where, allowed="a number")
+                raise DescriptionError(Phrase("{key} is missing", key=key), where=self.where, allowed="a number")
             return default
         return number(text, f"{self.where}: {key}")
 
@@ -103,7 +104,7 @@ class TeimOrbit:
         """The first block of a name; refused where there is none."""
         blocks = self.blocks_of(name)
         if not blocks:
-            raise DescriptionError(f"the block [{name}] is missing", where=str(self.path))
+            raise DescriptionError(Phrase("the block [{name}] is missing", name=name), where=str(self.path))
         return blocks[0]
 
     def unit(self, quantity: str) -> float:
@@ -114,7 +115,9 @@ class TeimOrbit:
             if text in words.split():
                 return conversion_factor(unit, SI[quantity])
         allowed = ", ".join(word for words in UNITS[quantity] for word in words.split())
-        raise DescriptionError(f"no unit of {quantity}", where=block.where, found=text or None, allowed=allowed)
+        raise DescriptionError(
+            Phrase("no unit of {quantity}", quantity=quantity), where=block.where, found=text or None, allowed=allowed
+        )
 
 
 def read_teim_orbit(path: Path | str) -> TeimOrbit:

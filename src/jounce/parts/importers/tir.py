@@ -13,6 +13,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, at_line, below, nearest
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.units import conversion_factor
 from jounce.parts.importers.teim_orbit import SI, UNITS
@@ -119,7 +120,7 @@ class TyreProperties(Shown):
                 "the stiffness is not positive at this pressure",
                 where=self.name,
                 found=f"{wanted:g} Pa",
-                allowed=f"above {nominal * (1.0 - 1.0 / self.pressure_slope):g} Pa",
+                allowed=Phrase("above {nominal:g} Pa", nominal=nominal * (1.0 - 1.0 / self.pressure_slope)),
             )
         return factor
 
@@ -142,7 +143,7 @@ class TyreProperties(Shown):
                     "Q_FZ2 is too large for the stiffness: the force would not rise from zero deflection",
                     where=self.name,
                     found=f"{self.load_curvature:g}",
-                    allowed=f"up to {0.25 * share**2:.4g}",
+                    allowed=Phrase("up to {share:.4g}", share=0.25 * share**2),
                 )
             first = math.sqrt(share**2 - 4.0 * self.load_curvature)
             scale = factor * self.nominal_load / self.radius
@@ -335,7 +336,7 @@ class _Entries:
     def _keep(self, key: tuple[str, str], text: str, line: int) -> None:
         if key in self.values and self.values[key][0] != text:
             raise DescriptionError(
-                f"{key[1]} is given twice in [{key[0]}]",
+                Phrase("{key} is given twice in [{second_key}]", key=key[1], second_key=key[0]),
                 where=at_line(self.file, line),
                 found=f"{self.values[key][0]} and {text}",
             )
@@ -349,12 +350,14 @@ class _Entries:
         """SI value of the unit that [UNITS] declares for a quantity."""
         entry = self.values.get(("UNITS", quantity))
         if entry is None:
-            raise DescriptionError(f"the unit of {quantity} is missing", where=f"{self.file}: [UNITS]")
+            raise DescriptionError(
+                Phrase("the unit of {quantity} is missing", quantity=quantity), where=f"{self.file}: [UNITS]"
+            )
         known = {word: unit for words, unit in UNITS[quantity].items() for word in words.split()}
         unit = known.get(entry[0].lower())
         if unit is None:
             raise DescriptionError(
-                f"unknown unit of {quantity}",
+                Phrase("unknown unit of {quantity}", quantity=quantity),
                 where=at_line(self.file, entry[1]),
                 found=entry[0],
                 allowed=", ".join(words.split()[0] for words in UNITS[quantity]),
@@ -385,9 +388,11 @@ class _Entries:
         if needed:
             keys = [name for section, name in self.values if section in sections]
             raise DescriptionError(
-                f"{key} is missing",
+                Phrase("{key} is missing", key=key),
                 where=str(self.file),
-                allowed=f"{key} in {' or '.join(f'[{section}]' for section in sections)}",
+                allowed=Phrase(
+                    "{key} in {sections}", key=key, sections=" or ".join(f"[{section}]" for section in sections)
+                ),
                 hint=nearest(key, keys),
             )
         return None

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.mechanics.contact import towards_road
@@ -336,7 +337,7 @@ class Poses:
             show = self.display
             ends = [f"{number(end * show.factor)} {show.name}" for end in (low, high)]
             raise DescriptionError(
-                f"there is no pose at this {self.words}",
+                Phrase("there is no pose at this {words}", words=self.words),
                 where=where,
                 found=f"{number(value * show.factor)} {show.name}",
                 allowed=" to ".join(ends),
@@ -439,7 +440,9 @@ def _first(series: Mapping[str, Array], names: tuple[str, ...]) -> Array:
         if name in series:
             return series[name]
     raise RecordingError(
-        "the poses do not say how the wheel stands", where="poses", allowed=f"a variable {' or '.join(names)}"
+        "the poses do not say how the wheel stands",
+        where="poses",
+        allowed=Phrase("a variable {names}", names=" or ".join(names)),
     )
 
 
@@ -486,7 +489,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
             "the poses are not of this trial; they go on after its end",
             where="trial",
             found=f"{time[-1]:g} s",
-            allowed=f"up to {trial.duration:g} s",
+            allowed=Phrase("up to {duration:g} s", duration=trial.duration),
         )
     way = trial.speed * time
     distance, height = sample_segments(trial.road.segments(float(way[-1]) + REACH * radius))
