@@ -33,7 +33,7 @@ def without_test(text: str, root: Path = ROOT) -> list[str]:
 def test_each_promise_names_tests_that_exist() -> None:
     text = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
     assert len(_NAMED.findall(text)) > 20
-    own = "- Your own Python code: functions that you give to jounce are called."
+    own = "- Your own Python code: jounce calls the functions that you pass to it."
     assert without_test(text) == [own]  # a warning, and no promise
 
 
