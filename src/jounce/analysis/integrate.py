@@ -312,6 +312,7 @@ def _third_octaves(spectrum: Spectrum) -> tuple[Array, Array]:
 def _floor(spectrum: Spectrum, highest: float) -> float:
     """The least density of a third of an octave."""
     f, density = _third_octaves(spectrum)
+    # Anti-alias filters begin to act at four fifths of the highest frequency.
     inside = (f <= 0.8 * highest) & (f > _FEWEST_LINES * spectrum.step)
     return float(density[inside].min()) if inside.any() else float(density.min())
 
@@ -324,7 +325,7 @@ def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) 
     lowest = _FEWEST_CYCLES / used.duration
     at = f"{used.name}: {name}"
     if given is not None:
-        if not lowest <= given < 0.25 * used.rate:
+        if not lowest <= given < 0.25 * used.rate:  # above, half of what can be integrated is taken away
             raise RecordingError(
                 "the corner frequency does not suit the record",
                 where=f"{at}: above",
@@ -438,6 +439,7 @@ def _transient(used: Measured, name: str, values: Array, density: float) -> Inte
 def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> list[Finding]:
     """Warn of a record that does not begin and end at rest."""
     few = max(8, len(values) // 50)
+    # A tenth of the range moves at the ends; less than eight standard deviations may be noise alone.
     ends = float(max(np.ptp(values[:few]), np.ptp(values[-few:])))
     if ends <= max(0.1 * float(np.ptp(values)), 8.0 * (density * used.rate / 2.0) ** 0.5):
         return []
@@ -450,7 +452,7 @@ def _whole_periods(used: Measured, period: float | None) -> int:
     if period is None:
         return samples
     count = int((samples + 0.5) / (period * used.rate)) if period > 0.0 else 0
-    if count < 1 or period * used.rate < 8.0:
+    if count < 1 or period * used.rate < 8.0:  # fewer samples do not resolve a period
         raise RecordingError(
             "the record contains no whole period",
             where=f"{used.name}: period",

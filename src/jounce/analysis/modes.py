@@ -54,8 +54,8 @@ FEWEST_PARTS = 24
 """Segments of a short record, before they overlap: their scatter makes the intervals."""
 GROUPS = 20
 """Groups of neighbouring segments that are left out in turn: 19 degrees of freedom."""
-_FEWEST_GROUPS = 6
-_FEWEST_LINES = 24
+_FEWEST_GROUPS = 6  # 5 degrees of freedom, Student's factor 2.6; of 4 groups it would be 3.2
+_FEWEST_LINES = 24  # as many as the highest order has poles
 _LARGEST_ERROR = 0.1  # of a frequency, above which a pole tells nothing
 _NEAR = 1.5  # factor of frequency between a measured mode and that of a model
 _CYCLES = 2.0  # of the lowest frequency within a segment: below, the window and the mean leave nothing
@@ -591,6 +591,7 @@ def held_poles(model: LinearModel, output: str, track: str) -> Complex:
     left = np.block([[model.A, b0], [model.C[[row]], np.array([[d0]])]])
     right = np.block([[np.eye(size), -b1], [np.zeros((1, size)), np.array([[-d1]])]])
     found = eigvals(left, right)
+    # Zeros at infinity come out of the pencil as large numbers; no rig moves at 1e8 rad/s.
     return np.asarray(found[np.isfinite(found) & (np.abs(found) < 1e8)])
 
 

@@ -24,8 +24,8 @@ SAME = {"transfer": (0.02, 0.10), "decay": (0.02, 0.10), "spectrum": (0.05, 0.25
 """Relative changes of frequency and damping from one order to the next of a stable pole: the field's usual 1 to 2 and
 5 to 10 %, more for spectra, which scatter with their own level."""
 _FEWEST_ORDERS = 4  # that must agree on a mode
-_MOST_DAMPING = 0.9
-MOST_MODES = 6
+_MOST_DAMPING = 0.9  # ratio: beyond, a pole has no resonance by which a frequency could be told
+MOST_MODES = 6  # bounce, pitch and roll of a body, three of wheels: more than a band of records tells apart
 
 
 @dataclass(frozen=True)
@@ -177,8 +177,8 @@ def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
     return free
 
 
-_ITERATIONS = 3
-_AT_INFINITY = 1e-9
+_ITERATIONS = 3  # only starts are needed: fits to the response follow
+_AT_INFINITY = 1e-9  # a root of -1 but for rounding
 
 
 def _is_same(one: tuple[float, float], other: tuple[float, float], limits: tuple[float, float]) -> bool:

@@ -37,10 +37,10 @@ LONGEST_SEGMENT = 8.0
 """Length (s) of the segments of a long record: they resolve 0.19 Hz, half the width of a body's resonance at least."""
 FEWEST_PARTS = 8
 """Segments of a short record, before they overlap: 15 with overlap, 28 degrees of freedom."""
-_FEWEST_SAMPLES = 64
+_FEWEST_SAMPLES = 64  # four segments of the shortest length, 16 samples
 _FEW_AVERAGES = 4.0  # below it, an interval of 95 % spans a factor of 8
 _CHANCE = 0.05  # that noise has a peak at all
-_MOST_PEAKS = 6
+_MOST_PEAKS = 6  # the strongest of a channel, that are listed
 
 
 @dataclass(frozen=True)
@@ -324,6 +324,7 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
     ]
     apart: list[SpectralPeak] = []
     for peak in sorted(found, key=lambda peak: -peak.ratio):  # the wider of two peaks holds the smaller one beside it
+        # The main lobe of a Hann window is four lines wide, its resolution 1.5 lines.
         if all(abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart):
             apart.append(peak)
     strongest = sorted(apart, key=lambda peak: -peak.rms)[:_MOST_PEAKS]

@@ -42,7 +42,7 @@ FEWEST_PARTS = 8
 """Segments of a short record, before they overlap: gains are known to 19 % where the coherence is a half."""
 LOW_COHERENCE = 0.5
 """Below it less than half of the output follows the input: errors of the gain reach 13 % even with 30 segments."""
-_FEWEST_AVERAGES = 2.0
+_FEWEST_AVERAGES = 2.0  # a single segment has coherence 1, whatever it contains
 _SELDOM = 0.02  # share of the band that may lack coherence without a word: the lines at its ends
 _KNOWN = 0.1  # relative error of a gain, up to which its peaks are looked at
 _BIAS = 0.05  # of a peak's height, from which on what the segments take off is named

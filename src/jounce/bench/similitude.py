@@ -17,6 +17,11 @@ from jounce.core.serialise import Plain
 from jounce.core.units import Frequency, Mass, PositiveNumber, PositiveSpeed, PositiveStiffness, Unit
 
 Density = Annotated[float, Unit("kg/m^3", above=0.0)]
+_MISSED = 0.05
+"""Share by which a rule is violated: the density of steel that is assumed (7579 to 7850 kg/m^3) moves masses by 4 %.
+
+The published prototype misses each of the four rules by 67 % or more.
+"""
 
 
 def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> float:
@@ -199,20 +204,20 @@ def _factor(name: str, factor: float, prototype: float | None, unit: str) -> Sca
 
 
 def _violations(case: Similitude, frequency: float, density: float) -> tuple[str, ...]:
-    """Report violations of similitude above five per cent."""
+    """Report violations of similitude."""
     violations = []
-    if abs(case.mass_factor / case.geometry_factor - 1.0) > 0.05:
+    if abs(case.mass_factor / case.geometry_factor - 1.0) > _MISSED:
         violations.append(
             f"two length factors: geometry is reduced by {case.geometry_factor:g}, the edges of the mass by "
             f"{case.mass_factor:g}; one prototype has only one scale."
         )
     by_geometry = scaled_mass(case.reference_mass, case.geometry_factor, density_ratio=density)
-    if abs(case.prototype_mass / by_geometry - 1.0) > 0.05:
+    if abs(case.prototype_mass / by_geometry - 1.0) > _MISSED:
         violations.append(
             f"mass: reduced like the geometry it would be {by_geometry:.3g} kg, built are {case.prototype_mass:.3g} kg."
         )
     similar = case.reference_frequency * math.sqrt(case.geometry_factor)
-    if abs(frequency / similar - 1.0) > 0.05:
+    if abs(frequency / similar - 1.0) > _MISSED:
         rate = (2.0 * math.pi * similar) ** 2 * case.prototype_mass
         violations.append(
             f"frequency: body bounce is {frequency:.3g} Hz, {frequency / similar:.2g} times the {similar:.3g} Hz that "
@@ -220,7 +225,7 @@ def _violations(case: Similitude, frequency: float, density: float) -> tuple[str
         )
     deflection = GRAVITY * case.prototype_mass / case.prototype_wheel_rate
     wanted = GRAVITY / (2.0 * math.pi * case.reference_frequency) ** 2 / case.geometry_factor
-    if abs(deflection / wanted - 1.0) > 0.05:
+    if abs(deflection / wanted - 1.0) > _MISSED:
         violations.append(
             f"static deflection: {1e3 * deflection:.3g} mm at the wheel instead of about {1e3 * wanted:.3g} mm, so "
             "friction, free play and travel weigh otherwise than at full size."

@@ -28,6 +28,10 @@ from jounce.core.units import (
 )
 
 PUBLISHED = {"bicycle": 52775.0, "scooter": 22730.0}  # N/m
+_AT_REST = 0.5
+"""Share of the travel that a spring may use at rest: as much is left for bump as for rebound."""
+_STIFF = 1.5
+"""Times the target frequency: the wheel rate is then 2.25 times what it should be."""
 CANDIDATES = Pairs("Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.", "NAME=RATE", 'soft="22.73 N/mm"')
 
 
@@ -176,12 +180,12 @@ def compare_springs(
     if len(set(names)) < len(names):
         raise FitError("a spring is named twice", allowed="different names")
     rates = [(name, _rate(name, rate)) for name, rate in pairs]
-    if math.cos(choice.strut_angle) < 0.1:
+    if math.cos(choice.strut_angle) < 0.1:  # the wheel rate is then less than a hundredth of the spring rate
         raise FitError(
             "the strut lies nearly flat", found=f"{math.degrees(choice.strut_angle):g} deg", allowed="below 84 deg"
         )
     rows = tuple(_row(name, rate, choice) for name, rate in rates)
-    fitting = [row for row in rows if row.travel_share <= 0.5] or list(rows)
+    fitting = [row for row in rows if row.travel_share <= _AT_REST] or list(rows)
     chosen = min(fitting, key=lambda row: abs(math.log(row.natural_frequency / choice.target_frequency)))
     reasons = tuple(_reason(row, chosen, choice) for row in rows if row is not chosen)
     findings = [Finding("springs", "note", reason) for reason in reasons]
@@ -223,7 +227,7 @@ def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:
 
 def _reason(row: SpringRow, chosen: SpringRow, choice: SpringChoice) -> str:
     name = f"{row.name} ({row.spring_rate:.5g} N/m)"
-    if row.travel_share > 0.5 >= chosen.travel_share:
+    if row.travel_share > _AT_REST >= chosen.travel_share:
         return (
             f"{name} is too soft: standing still it uses {100 * row.travel_share:.0f} % of the available travel of "
             f"{1e3 * choice.available_travel:.3g} mm."
@@ -245,7 +249,7 @@ def _reason(row: SpringRow, chosen: SpringRow, choice: SpringChoice) -> str:
 
 def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
     findings = []
-    if row.natural_frequency > 1.5 * choice.target_frequency:
+    if row.natural_frequency > _STIFF * choice.target_frequency:
         findings.append(
             finding(
                 "bench.best_spring_stiff",
@@ -257,7 +261,7 @@ def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
                 target=choice.target_frequency,
             )
         )
-    if row.travel_share > 0.5:
+    if row.travel_share > _AT_REST:
         findings.append(
             finding("bench.travel_used_at_rest", "springs", row.travel_share, name=row.name, share=row.travel_share)
         )

@@ -218,6 +218,7 @@ def _speed_findings(noted: float | None, slip: float | None, found: Passages) ->
     if slip is not None and abs(slip) > _SLIP_BEYOND:
         code = "campaign.belt_slips" if 0.0 < slip < _LARGEST_SLIP else "campaign.belt_and_pulses_differ"
         findings.append(finding(code, "speed", slip, slip=slip, speed=found.speed))
+    # Speeds are noted to three digits, 1.95 m/s to 0.3 %; beyond 1 % it is not rounding.
     if noted is not None and abs(found.speed / noted - 1.0) > 0.01:
         numbers = {"noted": noted, "period": found.period, "speed": found.speed}
         findings.append(finding("campaign.other_speed_than_noted", "speed", found.speed, **numbers))

@@ -34,8 +34,8 @@ from jounce.recordings.schema import recording_of
 
 _PAIRS = (("unsprung.az", "sprung.az"), ("unsprung.z", "sprung.z"))
 """Input and output of the transfer function: from the wheel to the body."""
-_HIGHEST = 40.0  # Hz
-_MOST_SETUPS = 8
+_HIGHEST = 40.0  # Hz: above wheel hop, even of the kart prototype (28 Hz)
+_MOST_SETUPS = 8  # those with most trials; each adds rows to the report and an analysis to the time
 _NEAR = 1.5  # factor of frequency between a mode of the records and one of the model's readings
 _EVEN = 1e-3  # of a step
 _Arguments = ParamSpec("_Arguments")

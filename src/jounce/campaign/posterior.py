@@ -34,8 +34,8 @@ from jounce.roads import Trial, read_roads
 CAMPAIGN = File("Campaign file with updates.", "CAMPAIGN.toml")
 STRATEGY = Mark("Name of the update; the last one by default.", "STRATEGY")
 NOISE_ONLY = Switch("Count noise only, not what the campaign doubts of model and measurement.")
-_SPEEDS = 5
-_MOST = 500
+_SPEEDS = 5  # between the slowest and the fastest trial, where none are given; each multiplies the candidates
+_MOST = 500  # candidates: each is a run with its sensitivities
 Progress = Callable[[str], None]
 
 

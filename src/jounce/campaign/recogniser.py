@@ -255,7 +255,7 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
     pressure = _pressure(file.stem)
     kind = named or ("tyre" if pressure is not None and by_rate == "tyre" else by_rate)
     doubt = "" if named in (None, by_rate) else f"a {by_rate} by its rate of {1e-3 * rate:.3g} N/mm"
-    if named is None and 0.5 * _STIFF < abs(rate) < 2.0 * _STIFF:
+    if named is None and 0.5 * _STIFF < abs(rate) < 2.0 * _STIFF:  # bicycle springs, 53 N/mm, soft tyres, 120 N/mm
         doubt = f"{'a spring' if by_rate == 'tyre' else 'a tyre'}: its rate of {1e-3 * rate:.3g} N/mm is between both"
     how = f"force over displacement, {1e-3 * rate:.3g} N/mm" + (f", {force.unit} read as {weight}" if weight else "")
     how += f", and its name says {named}" if named else ""
@@ -291,6 +291,7 @@ def _has_pulses(time: Array, values: Array) -> bool:
     if not np.all(np.isfinite(values)) or np.ptp(values) == 0.0 or len(values) < _FEW_ROWS:
         return False
     low, high = np.quantile(values, [0.0, 1.0])
+    # Pulses pass the middle half of their range only at edges; other signals are there as often as elsewhere.
     between = np.mean(np.abs(values - 0.5 * (low + high)) < 0.25 * (high - low))
     if between > _BETWEEN:
         return False

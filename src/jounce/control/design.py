@@ -212,7 +212,7 @@ class Dynamic:
 
 
 H_INFINITY_CHANNELS = ("strut.deflection", "sprung.az")
-H_INFINITY_ORDER = 6
+H_INFINITY_ORDER = 6  # four states of the corner, the actuator's force, and one of its weight
 
 
 @dataclass(frozen=True)
@@ -301,7 +301,7 @@ def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
 
 
 _RELAXED = 1.1  # times the least norm, at which the equations are ill conditioned
-_BOUNDS = 1e-2, 1e4
+_BOUNDS = 1e-2, 1e4  # times what the weights ask for, a choice: weights that need more are far off
 
 
 def _find_least_bound(synthesise: Callable[[float], tuple[Array, ...] | None]) -> float:
@@ -311,7 +311,7 @@ def _find_least_bound(synthesise: Callable[[float], tuple[Array, ...] | None]) -
         low, high = high, 2.0 * high
         if high > _BOUNDS[1]:
             return float("inf")
-    while high > 1.01 * low:
+    while high > 1.01 * low:  # the controller itself is computed at 1.1 times the least
         middle = float(np.sqrt(low * high))
         low, high = (low, middle) if synthesise(middle) is not None else (middle, high)
     return high

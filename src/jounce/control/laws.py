@@ -441,7 +441,7 @@ class HInfinity(Controller):
         return {**matrices, "motion_ratio": r, "damping_coefficient": damping}
 
 
-_QUICKEST = 300.0  # rad/s
+_QUICKEST = 300.0  # rad/s: beyond wheel hop (some 75 rad/s) an actuator counts as immediate
 
 
 def _lag(actuator: AnyActuator) -> float:

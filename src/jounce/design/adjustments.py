@@ -37,6 +37,7 @@ def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
         return []
     angle = values["strut_angle"]
     steep = strut_angle_findings(angle, "strut_angle")
+    # 0.05 deg: an angle that was rounded to tenths is still the published one.
     if steep or any(abs(np.degrees(angle) - known) < 0.05 for known in PUBLISHED_ANGLES):
         return steep
     built = ", ".join(f"{known:g}" for known in PUBLISHED_ANGLES)
@@ -61,12 +62,12 @@ OVER_TRAVEL: Mapping[str, str] = {
     "wheel_rate": "N/m",
 }
 """Quantities reported over travel, with their SI units: arms of another length change the wheel only off design."""
-_TRAVELS = (-0.03, -0.015, 0.0, 0.015, 0.03)  # m
+_TRAVELS = (-0.03, -0.015, 0.0, 0.015, 0.03)  # m: a choice, five rows of a table
 _STEP = 1e-3
 """Share of a setting's range over which its effect per unit is taken."""
-_CLOSE = 1e-10  # rad
-_NUDGE = 1e-6  # m
-_ROUNDS = 30
+_CLOSE = 1e-10  # rad: far below what a wheel is set to, and above rounding of an assembled linkage
+_NUDGE = 1e-6  # m: step of differences; lengths of 0.3 m are rounded to 1e-16 m, and bend over centimetres
+_ROUNDS = 30  # of Newton's method, at most; where it converges, it takes a few
 
 
 @dataclass(frozen=True)
@@ -320,7 +321,7 @@ _TOE_LENGTHS: Mapping[type[Corner], str] = {
     McPherson: "tie_rod_length",
     FiveLink: "link_5_length",
 }
-_PROBE = 1e-4  # m
+_PROBE = 1e-4  # m: the lengths are only put in order of their effect
 
 
 def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:

@@ -45,7 +45,7 @@ from jounce.variants.designs import Spread, sobol
 Case = Trial | Mapping[str, Any]
 """A trial, ``{"road": ..., "speed": ...}`` for a random road, or ``{"travel": [...]}`` for kinematics over it (m)."""
 _STEP = 1e-6  # of a number's range: central differences of kinematics
-_MOST_SAMPLES = 4096
+_MOST_SAMPLES = 4096  # of a spread; each is evaluated at every step of a search
 _KINDS = ("value", "range", "max", "min")
 _STATISTICS = ("mean", "p95")
 

@@ -16,7 +16,7 @@ from jounce.core.types import Array
 from jounce.design.mixtures import achievement
 
 SHARE = 1e-3  # of all goals beside the one that is relatively worst: what is worse in one for nothing is not best
-_PRECISION = 1e-10
+_PRECISION = 1e-10  # of the relative achievement, which is about 1: far finer than a front is drawn
 _STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
 
 

@@ -30,9 +30,9 @@ from jounce.parts.rig import unit_of
 from jounce.ride.surface import Density
 from jounce.variants.designs import Spread
 
-_FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2
+_FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2  # designs: both ends and one between; each is a search
 _HELD = 1e-6  # share by which the least of one metric may be left while the others are made less
-_KEPT = 1e-6
+_KEPT = 1e-6  # share of a limit that rounding of a search may break
 _NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
 
 

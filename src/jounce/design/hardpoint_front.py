@@ -23,11 +23,11 @@ from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig
 
-_FEWEST, _MOST = 3, 500
+_FEWEST, _MOST = 3, 500  # designs: both ends and one between; each is a search
 _SOFT = 1e-3  # tolerances below which a goal is as good as reached
-_PRECISION, _FORBIDDEN = 1e-10, 1e6
+_PRECISION, _FORBIDDEN = 1e-10, 1e6  # tolerances: far below what is built; far above what a linkage that closes misses
 _INSIDE = 0.95  # tolerances
-_HELD = 1.0 + 1e-6
+_HELD = 1.0 + 1e-6  # tolerances, but for what a search leaves
 
 
 @dataclass(frozen=True)

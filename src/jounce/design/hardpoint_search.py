@@ -22,16 +22,16 @@ from jounce.design.free_points import FreeNumbers
 from jounce.design.kinematic_study import FreePoint
 from jounce.design.kinematic_targets import Evaluators, Wanted
 
-_STEPS = 60
+_STEPS = 60  # at most; a search that takes more says so (`UNSETTLED`)
 _PULL = 1e-4  # tolerances for a number moved as far as it may go
-_DAMPING, _LARGEST_DAMPING = 1e-3, 1e10
+_DAMPING, _LARGEST_DAMPING = 1e-3, 1e10  # of Levenberg and Marquardt: nearly free at first; then steps are rounding
 _SETTLED = 1e-10  # share of the cost below which a step has gained nothing
 _REACHED = 1e-9  # tolerances off from which a target has what it wants
 _SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band without width has no inside
 _INSIDE = 0.95  # share of the tolerance that the second search asks for
 UNSETTLED = "no more steps"
 """Why a search ended that had not come to rest."""
-_MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6
+_MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6  # steps; share of the cost; tolerances where nothing closes
 _REST = 1e-6  # share of the cost that a search at rest could still gain over a whole box; room where a limit holds
 _NOTHING = 1e-9  # a number that changes its targets less, in tolerances over its box, has no effect
 _WITHIN = 1.0 + 1e-9  # tolerances, but for rounding

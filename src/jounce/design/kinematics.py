@@ -43,7 +43,7 @@ _SEEN = 1.0  # tolerances by which curves change before points are told apart
 _NOISE = 1e-9  # share of the largest change below which there is none
 _LOST = 1e-6  # share of a number that curves do not see from which it is not known
 _PART = 0.1  # share of a combination from which a number is named
-_MOST_OPEN = 5
+_MOST_OPEN = 5  # combinations that are listed
 _NO_VALUE = (
     "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms that are not parallel."
 )

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 _ROUNDS = 4  # in which noise is estimated again
 _CLEAR = 1e-8  # share of the largest singular value below which numbers are not told apart
-_LOST = 1e-6
+_LOST = 1e-6  # share of a number (squared) in directions that are not told apart, from which it is not determined
 _FARTHEST = 3.0  # standard deviations of the noise given from which residuals are too large for it
 _AXES = ("wheel_travel", "rack_travel")
 

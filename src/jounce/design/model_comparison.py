@@ -29,8 +29,8 @@ CHANNELS = ("sprung.az", "unsprung.az", "tyre.force")
 """Channels whose largest absolute values are compared."""
 _REACH = 0.15
 """Travel to either side that curves show, as a share of the wheel's radius."""
-_POINTS = 13
-_SAME_LINE = 1e-6
+_POINTS = 13  # of a curve over travel
+_SAME_LINE = 1e-6  # of a motion ratio: rounding
 
 
 @dataclass(frozen=True)
@@ -322,6 +322,7 @@ def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[Mode
 def _find_mode(name: str, modes: tuple[Mode, ...]) -> Mode | None:
     """Find the mode in which the body (bounce) or the wheel (hop) moves most."""
     moving = {"body bounce": "sprung.z", "wheel hop": "unsprung.z"}[name]
+    # The largest coordinate of a shape is 1 by definition.
     return next((mode for mode in modes if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)
 
 

@@ -22,7 +22,7 @@ from jounce.parts.files import rig_named_in
 from jounce.variants.study import read_trial
 
 Weight = Annotated[float, Unit("1", above=0.0)]
-_PAIR = 2
+_PAIR = 2  # goals, for which a front has a method of its own (`pareto`)
 SCHEMA: Literal["jounce.optimisation/1"] = "jounce.optimisation/1"
 
 

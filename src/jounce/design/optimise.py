@@ -30,10 +30,10 @@ from jounce.variants.designs import Spread
 _ACTIVE = 1e-5
 _STATIONARY = 1e-4
 _EVEN = 1e-4
-_MOST_STARTS = 1000
+_MOST_STARTS = 1000  # each is a search
 _WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
-_MOST = 200
-_FINE = 1e-14
+_MOST = 200  # iterations
+_FINE = 1e-14  # of the objective, which is 1 at the start: down to rounding, as evaluations are exact
 
 
 @dataclass(frozen=True)
@@ -282,10 +282,10 @@ def _wall(i: int, u: float, count: int) -> Array | None:
     return row if row.any() else None
 
 
-_AT_BOUND = 1e-6
-_KEPT = 1e-6
-_ONE_PERCENT = 0.01
-_HALVINGS = 20
+_AT_BOUND = 1e-6  # of the range
+_KEPT = 1e-6  # share of a limit that rounding of a search may break
+_ONE_PERCENT = 0.01  # rise of the objective that counts as none, a choice: with 2 % ranges are some 40 % wider
+_HALVINGS = 20  # at most: half the range is then known to a millionth
 _STEPS = tuple(0.5**k for k in range(6, -1, -1))
 
 
@@ -663,7 +663,7 @@ def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, conv
         if number.flat == (number.lower, number.upper):
             findings.append(finding("design.little_influence", number.path, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
-    if value > 1.0 - 1e-6:
+    if value > 1.0 - 1e-6:  # it is 1 at the start
         given = problem.numbers(problem.start)
         is_broken = any(_is_broken(limit, given[limit.metric.text][0]) for limit in problem.limits)
         code = "design.start_breaks_limit" if is_broken else "design.start_is_best"

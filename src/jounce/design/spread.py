@@ -29,7 +29,7 @@ from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, as_rig
 from jounce.parts.bodies import distance
 
-_BAND = (2.5, 97.5)  # percent
+_BAND = (2.5, 97.5)  # percent: the usual 95 %
 _DEVIATIONS = 2.0  # standard deviations that a tolerance is
 _ALIGNED = float(np.radians(0.05))  # how exactly static camber and toe are set
 _STEP = 1e-4  # m: step of an adjustment for its effect

@@ -260,6 +260,7 @@ def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[An
 
 def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
     sags = [(wheel.place or "spring", wheel.wanted.static_deflection) for wheel in wheels]
+    # 0.25 m at rest is 1 Hz, the softest of passenger cars.
     findings = [finding("design.spring_sags", place, sag, deflection=sag) for place, sag in sags if sag > 0.25]
     if len(wheels) == 2:
         front, rear = (wheel.wanted.frequency_hz for wheel in wheels)

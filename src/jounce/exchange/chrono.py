@@ -21,7 +21,7 @@ from jounce.core.writing import check_writable, write_atomically
 from jounce.exchange.corners import corner_of, require_parts
 from jounce.parts import Rig, as_rig
 from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
-from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
+from jounce.parts.corners import SAME_POINT, Corner, DoubleWishbone, FiveLink, McPherson
 from jounce.parts.dampers import LinearDamper, MapDamper
 from jounce.parts.elements import TableCurve
 from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
@@ -256,7 +256,7 @@ class _ChronoWriter:
                 spindle = _less(wheel, rolling)
             else:
                 self._say("exchange.spindle_is_wheel", "bodies.wheel", wheel.mass, mass=wheel.mass)
-        if np.linalg.norm(np.array(spindle.centre_of_mass) - at) > 1e-6:
+        if np.linalg.norm(np.array(spindle.centre_of_mass) - at) > SAME_POINT:
             self._say("exchange.spindle_centre", "bodies.wheel")
         return {
             "Spindle": {**self._part("wheel", "Spindle", spindle, DESIGN), "Width": 0.05},
@@ -271,7 +271,7 @@ class _ChronoWriter:
         inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
         frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), name)
         part = self._part(name, "Tierod", body, frame)
-        if np.linalg.norm(part.pop("COM") - 0.5 * (inner + outer)) > 1e-6:
+        if np.linalg.norm(part.pop("COM") - 0.5 * (inner + outer)) > SAME_POINT:
             self._say("exchange.tie_rod_centre", f"bodies.{name}")
         if "Moments of Inertia" in part:
             part["Inertia"] = part.pop("Moments of Inertia")
@@ -295,13 +295,13 @@ class _ChronoWriter:
             strut = _ball(0.1, np.array(self.rig.hardpoints.strut_top), _ARM_SIZE)
         parts["Strut"] = self._part("strut", "Strut", strut, DESIGN)
         middle = 0.5 * (self.points["spring_top"] + self.points["spring_bottom"])
-        if np.linalg.norm(parts["Strut"].pop("COM") - middle) > 1e-6:
+        if np.linalg.norm(parts["Strut"].pop("COM") - middle) > SAME_POINT:
             self._say("exchange.strut_centre", "bodies.strut")
         return {**parts, "Tierod": self._rod("tie_rod"), "Spring": {}, "Shock": {}}
 
     def _multi_link(self) -> dict[str, dict[str, Any]]:
         points, bodies = self.points, self.rig.body_masses()
-        if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > 1e-6:
+        if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > SAME_POINT:
             raise self._refused("links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there")
         if self.rig.strut.on != "link_4":
             raise self._refused("Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on)

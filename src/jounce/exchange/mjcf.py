@@ -25,11 +25,11 @@ from jounce.parts.elements import BumpStop, Curve
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
 
-STEP = 1e-4  # s
+STEP = 1e-4  # s: closing loops are springs whose time constant is two steps; longer ones let hardpoints part
 _STIFF = 2.0  # steps, time constant of closing loops: MuJoCo's lower limit
 _SMALL = 1e-3  # m: either side of the design length, for the rate of a curve
 _SLOW = 0.05  # m/s: either side of rest, for the coefficient of a nonlinear damper
-_ROUNDING = 1e-6
+_ROUNDING = 1e-6  # of a moment of inertia: written numbers of a thin plate would break the triangle inequality
 _FAR = 1e3  # m: a length that no strut has
 
 

@@ -19,7 +19,7 @@ from jounce.core.writing import Formats
 from jounce.roads import load_road
 from jounce.roads.road import Road
 
-STEP, WIDTH = 0.01, 4.0  # m
+STEP, WIDTH = 0.01, 4.0  # m, choices: `exchange.height_lost` says where a step is too coarse; a car is narrower
 _MOST = 2_000_000  # points: limits the file
 
 
@@ -134,7 +134,7 @@ def write_road(
     fine = step * (np.arange(0, count - 1, max(1, count // 50_000)) + 0.5)
     lost = float(np.abs(road.height_at(np.minimum(fine, known)) - np.interp(fine, x, height)).max())
     findings: tuple[Finding, ...] = ()
-    if lost > 1e-6:
+    if lost > 1e-6:  # m: less no tyre feels
         findings = (finding("exchange.height_lost", str(path), lost, lost=lost, step=step),)
     file = ROAD_FORMATS.write((x, height), path, force=force)
     return RoadExport(file, count, float(x[-1]), step, findings)

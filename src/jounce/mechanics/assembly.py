@@ -19,6 +19,7 @@ from jounce.mechanics.facts import Equation
 from jounce.mechanics.model import Model
 
 _ITERATIONS = 100
+_ALSO_OPEN = 0.05  # share of the widest gap from which a joint is named beside it; a choice
 _CLOSED = 1e-12  # m or rad: rounding of places of a few metres
 _HELD = (0.0, 1e-3)  # compliance of a given coordinate relative to the others: fixed, otherwise stiff
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one is redundant
@@ -286,7 +287,7 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
             return x
         step = -weights * np.linalg.lstsq(slope * weights, value, rcond=1e-12)[0]
         share, better = 1.0, None
-        while share > 1e-4:
+        while share > 1e-4:  # thirteen halvings: a shorter step goes nowhere
             trial = evaluator.move(x, share * step)
             closer = evaluator.at(trial)
             if np.linalg.norm(closer[0]) < np.linalg.norm(value):
@@ -296,7 +297,7 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
         if better is None:
             break
         x, (value, slope, _, _) = better
-    if float(np.max(np.abs(value))) < 1e-9:
+    if float(np.max(np.abs(value))) < 1e-9:  # m or rad: as far as rounding lets the steps come
         return x
     raise _open(evaluator.model, value)
 
@@ -313,7 +314,7 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
 def _open(model: Model, value: Array) -> AssemblyError:
     """Error that names the open loops, the widest first."""
     order = np.argsort(-np.abs(value))
-    worst = [model.equations[i] for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
+    worst = [model.equations[i] for i in order if abs(value[i]) > _ALSO_OPEN * abs(value[order[0]])][:6]
     joints = list(dict.fromkeys(equation.joint for equation in worst))
     pairs = list(zip(model.equations, value, strict=True))
     shown = [_gap(joint, [(e.unit, float(x)) for e, x in pairs if e.joint == joint]) for joint in joints]
@@ -329,7 +330,7 @@ def _open(model: Model, value: Array) -> AssemblyError:
 def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
     """Gap of an open joint, by units and values: a distance, else an angle, else the residual of its equation."""
     place, turn = (float(np.linalg.norm([value for own, value in rows if own == unit])) for unit in ("m", "rad"))
-    if place > 0.05 * turn:
+    if place > _ALSO_OPEN * turn:  # m, rad
         return f"{joint} stays open by {place:.4g} m"
     if turn > 0.0:
         return f"{joint} stays askew by {np.degrees(np.arcsin(min(turn, 1.0))):.4g} degrees"

@@ -24,7 +24,7 @@ from jounce.mechanics.rotations import normals
 
 _NONE = ca.SX(3, 1)
 _SQUARE = 1e-3  # cosine of the axes of a universal joint up to which they count as perpendicular
-_TURN = 2.0 * np.pi
+_TURN = 2.0 * np.pi  # rad
 
 
 @dataclass(frozen=True)

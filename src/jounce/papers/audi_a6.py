@@ -26,7 +26,7 @@ DEMO_MOMENT = 100.0
 """Step of the pitch moment in the demo that the paper started from, N m."""
 DECELERATION, CENTRE_HEIGHT = 3.0, 0.55
 """Origin of a second pitch moment: m/s^2 and the height of the centre of gravity in m; estimated."""
-_TOLERANCE = 1e-9
+_TOLERANCE = 1e-9  # far below the three digits that the paper prints
 _FINE = 1e-4  # s: the channels have no derivative of accelerations for interpolation
 
 

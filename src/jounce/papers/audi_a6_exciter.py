@@ -34,7 +34,7 @@ DURATION, STEADY = 12.0, 1.0
 """Length of a run, and of its steady last part, s."""
 TOP = 25.0
 """Start frequency of a EUSAMA sweep, Hz."""
-_STEP, _TOLERANCE = 1e-3, 1e-9
+_STEP, _TOLERANCE = 1e-3, 1e-9  # s; far below the three digits that the paper prints
 _TURNING = 2.0 * np.pi * FREQUENCY  # rad/s
 
 

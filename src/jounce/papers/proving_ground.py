@@ -24,12 +24,13 @@ COURSE = "detrended_rms_course_1in"
 BEGIN, END = 100.0, 404.8
 """Undulated part of the course, m; it is driven from end to end, starting at rest on the springs."""
 SPEEDS = tuple(kmh / 3.6 for kmh in (10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0))
-SHOWN_SPEED = 20.0 / 3.6
+SHOWN_SPEED = 20.0 / 3.6  # m/s, of the figures over time
 LAW = "tanh-hysteretic"
 AMPLITUDE, DAMPING_RATIO = 0.0254, 0.25
 OWN = "own damper"
-TYRE_RADIUS = 0.4699
-_GRID = 0.025
+TYRE_RADIUS = 0.4699  # m: 37 inches across
+_OFTEN = 0.05  # of the time beyond the record of a damper, from which on it is a warning; a choice
+_GRID = 0.025  # m
 FIGURES: dict[str, tuple[str, str]] = {
     "body_acceleration": ("m/s^2", "body r.m.s."),
     "bump_travel_utilisation": ("1", "bump travel utilisation"),
@@ -50,7 +51,7 @@ wheel load r.m.s. is that of the dynamic part over the static load; powers are m
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
 LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = ("linear", "tanh-hysteretic", "bouc-wen")
 _COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}
-_GRAVITY = 9.81  # m/s^2
+_GRAVITY = 9.81  # m/s^2, as in the papers
 WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
 """Values of the same vehicle, from the repository of its hardpoints; see their SOURCE.md. kg, kg, N/m, N s/m."""
 _STEP = 1e-4  # rad, of the lower arm
@@ -639,5 +640,5 @@ def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) 
         if beyond > 0.0:
             share = f"{100 * beyond:.1f} % of the time"
             text = f"the damper moves faster than in its record for up to {share}: there the law is extrapolated."
-            findings.append(jn.Finding(name, "warning" if beyond > 0.05 else "note", text, beyond))
+            findings.append(jn.Finding(name, "warning" if beyond > _OFTEN else "note", text, beyond))
     return findings

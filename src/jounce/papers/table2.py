@@ -20,7 +20,7 @@ from typing import Literal
 import jounce as jn
 
 Variant = Literal["reconstructed", "literal"]
-_HIGH, _LOW = 310e3, 250e3  # Pa
+_HIGH, _LOW = 310e3, 250e3  # Pa, as printed
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from jounce.papers import Array, Counted, Progress, no_progress
 from jounce.papers.table2 import Table2Row, table2
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
-_OBSTACLES_IN_TRAIN = 5
+_OBSTACLES_IN_TRAIN = 5  # of profile B in the paper
 _WEIGHT = 2.5  # kg; weights on the sprung mass before a free decay
 _LEVEL = 24
 """Samples of level belt next to an obstacle, after which a spline deviates by less than a nanometre."""

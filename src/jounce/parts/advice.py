@@ -45,9 +45,12 @@ INDICES = (0.4, 2.0)
 """Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
 FREQUENCIES = (0.6, 6.0)
 """Hz, of the body on one axle: from the softest coach to a race car."""
-_SMALL = 5e-3  # m
+_SMALL = 5e-3
+"""m; the points of a car in metres, read as millimetres, lie within 6 mm; a model car of 5 mm does not exist."""
 MOST_PRESSED = 0.15
 """m; no tyre of a lumped model, whose radius is not known, gives way by more at rest."""
+_PRESSED = 0.3
+"""Static tyre deflection over the radius: walls of car tyres are 0.25 to 0.4 of it high, so the rim nears the road."""
 _LEVER = 0.02
 """Lever of a T-bar's link over the length of the arm, below which it holds nothing."""
 RATIOS = (0.05, 1.5)
@@ -143,7 +146,7 @@ def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Findi
 def _check_size(rig: Corner) -> Iterator[Finding]:
     yield from size_findings(rig.hardpoints.given(), "hardpoints")
     radius = rig.wheel.radius
-    if radius > 2.0 or radius < 0.02:
+    if radius > 2.0 or radius < 0.02:  # m: from a toy to a mine truck; the library has 0.13 to 0.47
         yield finding("parts.wheel_radius", "wheel.radius", radius, radius=radius)
 
 
@@ -173,13 +176,13 @@ def _check_order(rig: Corner) -> Iterator[Finding]:
 
 def _check_wheel(rig: Corner) -> Iterator[Finding]:
     height, radius = rig.hardpoints.wheel_centre[2], rig.undeformed_radius
-    if abs(height - radius) > 0.2 * radius:
+    if abs(height - radius) > 0.2 * radius:  # corners of the library: up to 11 %
         code = "parts.wheel_low" if height < radius else "parts.wheel_high"
         off = radius - height
         yield finding(code, "hardpoints.wheel_centre", off, off=abs(off), height=height, radius=radius)
     for name in ("camber", "toe"):
         angle = getattr(rig.wheel, name)
-        if abs(angle) > 0.2:
+        if abs(angle) > 0.2:  # rad: the kart prototype reaches 10.5 deg (0.18 rad) of toe, no wheel more
             yield finding("parts.steep_angle", f"wheel.{name}", angle, angle=angle)
 
 
@@ -221,6 +224,7 @@ def _check_bodies(rig: Corner) -> Iterator[Finding]:
         extent = float(np.linalg.norm(own[:, np.newaxis] - own, axis=2).max())
         reach = max(extent, rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
         away = float(np.linalg.norm(np.array(body.centre_of_mass) - own, axis=1).min())
+        # Twice what the bodies of the library reach: 0.54 of their extent, and radii of gyration of 0.77 of it.
         if away > 1.5 * reach:
             yield finding(
                 "parts.centre_of_mass_away", f"bodies.{name}.centre_of_mass", away, distance=away, reach=reach
@@ -261,7 +265,7 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     except np.linalg.LinAlgError:
         yield finding("parts.wheel_locked", "hardpoints")
         return
-    if ratio < 0.1:
+    if ratio < 0.1:  # corners of the library: 0.45 and more; below, the spring would need 100 times the wheel rate
         yield finding("parts.spring_ratio", "strut", ratio, ratio=ratio)
         return
     bar = rig.anti_roll_bar
@@ -287,14 +291,14 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     else:
         place, numbers = "strut.spring", {"needed": needed, "present": spring_force(rig), "length": length}
         weak, away = "parts.spring_weak", "parts.spring_away"
-    if deflection is None or deflection > 0.6 * length:
+    if deflection is None or deflection > 0.6 * length:  # coils are then solid; springs of the library: up to 13 %
         yield finding(weak, place, numbers["needed"], **numbers)
         return
     travel = deflection / ratio
-    if abs(travel) > 0.25 * rig.wheel.radius:
+    if abs(travel) > 0.25 * rig.wheel.radius:  # about the whole travel; corners of the library: up to 18 %
         direction = "bump" if travel > 0.0 else "rebound"
         yield finding(away, place, travel, travel=abs(travel), direction=direction, **numbers)
-    yield from _check_deflection("tyre", static_tyre_deflection(rig), 0.3 * rig.wheel.radius)
+    yield from _check_deflection("tyre", static_tyre_deflection(rig), _PRESSED * rig.wheel.radius)
 
 
 def _check_deflection(place: str, deflection: float, most: float) -> Iterator[Finding]:
@@ -324,7 +328,7 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
             corner = axle.corner
             weight = car.gravity * (mass + sum(body.mass for body in corner.body_masses().values()))
             yield from _check_deflection(
-                f"{name}.corner.tyre", static_deflection(corner.tyre, weight), 0.3 * corner.wheel.radius
+                f"{name}.corner.tyre", static_deflection(corner.tyre, weight), _PRESSED * corner.wheel.radius
             )
             continue
         if axle.spring_rate is not None:
@@ -369,7 +373,7 @@ def _check_at_rest(rig: QuarterCar) -> Iterator[Finding]:
 def _check_axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
     weight = gravity * (mass + axle.unsprung_mass)
     yield from _check_deflection(f"{name}.tyre", static_deflection(axle.tyre, weight), MOST_PRESSED)
-    if axle.unsprung_mass > 0.5 * mass:
+    if axle.unsprung_mass > 0.5 * mass:  # axles of the library: up to 12 %
         yield finding(
             "parts.unsprung_mass",
             f"{name}.unsprung_mass",

@@ -236,7 +236,7 @@ class SteeringColumn(Description):
         return self
 
 
-_SHORTEST_SHAFT = 1e-3  # m
+_SHORTEST_SHAFT = 1e-3  # m: rounding of hardpoints in millimetres would turn it
 _STEEPEST_JOINT = 60.0  # deg
 
 

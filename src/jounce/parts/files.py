@@ -24,7 +24,7 @@ from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
 from jounce.parts.rig import MODELS, Rig, check_rig, parameters_of, split_path, unit_of, unknown_path
 
-_WIDTH = 120
+_WIDTH = 120  # characters of a line of a rig file
 _NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
 _ORDER = ["schema", "model", "source", "estimated", "gravity", "side", "guide", "guide_friction", "hardpoints"]
 _ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "torsion_bar", "third_spring"]
@@ -125,7 +125,7 @@ def rig_named_in(name: str, file: Path) -> Path:
         raise DescriptionError(error.what, where=place, found=source, allowed=error.allowed, hint=error.hint) from None
 
 
-_LONGEST_NAME = 255
+_LONGEST_NAME = 255  # characters: common file systems have no longer name
 
 
 def load(name: str | Path) -> Rig:

@@ -316,7 +316,7 @@ class FullCar3D(Vehicle):
 
 _DYNAMIC_INDEX = 0.7
 """Roll inertia over that of masses standing over the wheels, where none is given: cars have 0.6 to 0.8 (estimated)."""
-_TRACK = 1.5
+_TRACK = 1.5  # m, of a passenger car, where none is given
 
 
 class Side(Description):

@@ -149,6 +149,7 @@ def _transfer(given: Array, answer: Array, rate: float) -> tuple[Array, Complex,
     frequency, cross = signal.csd(given, answer, rate, nperseg=length, detrend="linear")
     _, power = signal.welch(given, rate, nperseg=length, detrend="linear")
     _, output_power = signal.welch(answer, rate, nperseg=length, detrend="linear")
+    # Anti-alias filters begin to act at 0.4 of the sample rate.
     inside = (frequency >= _RESPONSE[0]) & (frequency <= min(_RESPONSE[1], 0.4 * rate))
     cross, power, output_power = cross[inside], power[inside], output_power[inside]
     return frequency[inside], cross / power, np.abs(cross) ** 2 / (power * output_power)

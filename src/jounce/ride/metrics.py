@@ -399,7 +399,7 @@ def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Fin
     if motion.choices.start == "rest" and abs(average) > _OFFSET * spread:
         yield finding("ride.offset", place, average, offset=average)
     row = weighting(motion.usual)
-    if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:
+    if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:  # half the rate lies within the weighting's band
         yield finding("ride.sampled_slowly", place, rate, rate=rate, metric=row.name, highest=0.5 * rate)
 
 

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 DEFAULT_DURATION = 60.0
 """s, of a run over a synthetic road; a measured road is driven to its end."""
-_SAMPLE = 1e-3  # s
+_SAMPLE = 1e-3  # s: the output step of a run
 _RUN_IN = 10.0  # m over which a synthetic road fades in, and out after the end of the run
 
 

@@ -471,6 +471,7 @@ def _add_kinks(
     for _ in range(6):
         apart = right[0, 1:] - right[0, :-1]
         jump = left[3, 1:] - right[3, :-1]
+        # At a kink the contact point jumps ahead, by more than the nodes are apart and than bisection leaves.
         wide = np.flatnonzero((jump > 1.1 * apart + 1e-4 * parts.cam.a) & (apart > 4.0 * SHORTEST))
         before, after = _bisect_kink(parts, right[:, wide], left[:, wide + 1])
         kink = after[3] - before[3] > 1e-4 * parts.cam.a  # otherwise the contact moves fast along a hollow

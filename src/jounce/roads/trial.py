@@ -131,7 +131,7 @@ LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")
 """Loads of a trial, by the names of the models' inputs."""
 
 
-FEWEST_SAMPLES = 4
+FEWEST_SAMPLES = 4  # for the cubic between them
 _TEXTS = (".csv", ".txt", ".tsv")
 _KEYS = set(RecordingFormat.model_fields)
 ExcitationDatum = Literal["undeformed", "rest"]
@@ -537,7 +537,7 @@ class Trial(Description):
         return self.excitation.end() if self.excitation is not None else 0.0
 
 
-_MOST_WHEELS = 16
+_MOST_WHEELS = 16  # places whose roads are kept: those of four cars
 
 
 @remembered

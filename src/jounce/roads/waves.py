@@ -20,7 +20,7 @@ from jounce.roads.trial import Excitation
 
 Law = Literal["linear", "logarithmic"]
 PER_WAVE = 64  # points on one wave: cubics between them err by 3e-7 of the amplitude
-MOST_WAVES = 20_000
+MOST_WAVES = 20_000  # 1.3 million points
 
 
 class Sine(Road):

@@ -30,12 +30,14 @@ from jounce.roads.measured import read_crg_profile
 
 SPEED = 80.0 / 3.6  # m/s; with the golden car's numbers by definition of the IRI
 TYRE, SPRING, DAMPER, MASS_RATIO = 653.0, 63.3, 6.0, 0.15  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
-BASE = 0.25
-RUN_UP = 11.0
-COARSEST, COARSE = 0.61, 0.3
-LARGEST_JITTER = 0.01
+BASE = 0.25  # m, of a slope, and
+RUN_UP = 11.0  # m, whose mean slope starts the car: WTP-46
+COARSEST, COARSE = 0.61, 0.3  # m between samples: WTP-46 takes up to 0.61 m (2 ft); beyond BASE short waves are lost
+LARGEST_JITTER = 0.01  # of the spacing: rows written with too few digits pass, a missing row (1) does not
 SMOOTHEST, ROUGHEST, NO_ROAD = 0.1, 30.0, 300.0
-_NEARLY = 1e-6
+"""m/km. The scale of WTP-46 reaches from runways (0.25) to rough unpaved roads (20). Ten times ``ROUGHEST`` is refused:
+heights in mm read as m give a thousand times the index of a road."""
+_NEARLY = 1e-6  # of a sample interval, or m: rounding
 _TEXT = (".csv", ".txt", ".tsv")
 
 

@@ -20,7 +20,7 @@ METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""
 _MAX_SAMPLES = 20_000_000  # a dozen channels of that many samples (2 GB) fill the memory of a small computer
-_SHARED_SAMPLES = 100_000
+_SHARED_SAMPLES = 100_000  # times that runs share: 0.8 MB each, eight at most
 _FINEST, COARSEST = 1e-13, 1e-1
 """Tolerances: rounding, and the largest that is still an approximation."""
 

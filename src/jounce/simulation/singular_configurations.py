@@ -133,6 +133,7 @@ def _judged(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solutio
         balance = outputs[prepared.compiled.output_names.index(BALANCE), :reached]
         taken = states[facts.states.index(BALANCE), :reached]
         size = np.maximum.accumulate(np.abs(balance + taken)) + np.maximum.accumulate(np.abs(taken - taken[0])) + _STILL
+        # The balance is integrated like the state; errors of many steps add up to more than the tolerance of one.
         wrong = np.abs(balance - balance[0]) > max(_LOST, 100.0 * tolerance) * size
         if wrong.any():
             states[:, int(np.argmax(wrong)) :] = np.nan

@@ -362,7 +362,7 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
     return np.asarray(np.minimum(np.maximum(points, 1e-12), 1.0 - 1e-12), dtype=float)
 
 
-_BITS = 30
+_BITS = 30  # of a Sobol sequence: a billion points, as in SciPy
 _FIRST = 1024  # points made one by one; below it doubling costs more
 _TURNS = np.array([(i & -i).bit_length() - 1 for i in range(1, _FIRST)])  # along which direction each moves
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)

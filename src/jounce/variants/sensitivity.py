@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _CONFIDENCE = (2.5, 97.5)  # percentiles
-_RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000
+_RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000  # bootstrap draws; fewer for tables of more numbers
 _FEW = 16.0
 """Few rows, drawn again, lack rare values: intervals are widened by this over the number of rows.
 
@@ -25,7 +25,7 @@ Of the closed forms of Ishigami's function, the g-function and a sum they hold 7
 """
 _NEVER_NEGATIVE = ("total", "mean_absolute_effect", "effect_spread")
 _END = 0.2  # share of the variants at either end of a parameter's range
-_FEWEST = 3
+_FEWEST = 3  # rows: of two no variance has an interval
 _LEAST = 1e-12  # of a metric's size: smaller variation is rounding
 
 

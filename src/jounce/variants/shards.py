@@ -60,10 +60,10 @@ _PER_WORKER = 4  # least shards for each worker, so that all end together
 _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers in one dataset: 3.2 GB
 _COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
-_MOST_DIFFERENCES = 5
+_MOST_DIFFERENCES = 5  # that an error lists
 _COLUMN = re.compile(r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}")  # values of a number, as `study_of` writes them
 _NEAR = 0.02  # share of its range by which the ends of a parameter move when its values are drawn again
-_LONG_LIST = 50
+_LONG_LIST = 50  # values, from which on a digest stands for them in an error
 
 
 @dataclass(frozen=True)

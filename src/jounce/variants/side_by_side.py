@@ -26,8 +26,8 @@ LEAST = 4
 """Variants below which the common preparation takes longer than single runs."""
 _FEW = 64  # variants below which another thread gains nothing
 _TURNS = 4  # a worker takes this fraction of its equal share of the remaining variants at a time
-_MOST_STEPS = 20_000_000
-_LINE = 64  # bytes
+_MOST_STEPS = 20_000_000  # of a variant: more are integrated one by one
+_LINE = 64  # bytes of a line of the processor's cache
 
 
 @dataclass(frozen=True)

@@ -33,10 +33,10 @@ LEAST, LEAST_WITH_LOOPS = 16, 256
 _MOST_STATES = 40  # of a mechanism: cars on four corners fill the vectors with their own corners
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
-_ITERATIONS = 30
-_UNBALANCED = 1e-6  # m/s^2
-_SETTLED = 1e-11
-_PROJECTIONS = 3
+_ITERATIONS = 30  # at most; a variant that takes more is run by itself
+_UNBALANCED = 1e-6  # m/s^2: as in `simulation.statics`
+_SETTLED = 1e-11  # relative step: rounding of the balance
+_PROJECTIONS = 3  # Newton steps onto the loops
 _KEPT = 5  # iterations with the same slopes, which change little about rest
 _MOVE = 1e-6  # m, rad, m/s or rad/s: half step of central differences
 _SPARE = 2.0  # ratio by which motions of a variant may be faster than those of the base

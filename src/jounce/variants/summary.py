@@ -18,8 +18,8 @@ from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indi
 if TYPE_CHECKING:
     import xarray as xr
 
-_PERCENTILES = (5.0, 50.0, 95.0)
-_MOST_REASONS = 20
+_PERCENTILES = (5.0, 50.0, 95.0)  # by default
+_MOST_REASONS = 20  # different ones that are listed
 _LITTLE = 0.7  # share of the variance below which a finding says that the linear regression explains little
 
 

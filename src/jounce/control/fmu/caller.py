@@ -16,12 +16,12 @@ from collections import deque
 from typing import Any
 
 _WORST = 1  # statuses above a warning: discard, error, fatal
-_FATAL = 4
+_FATAL = 4  # status of FMI, after which an instance may not be called
 _STATUS = ("OK", "warning", "discard", "error", "fatal error", "pending")
-_MESSAGES = 5
+_MESSAGES = 5  # last ones, that an error quotes
 _MUCH = 1000  # messages without an error, after which logging is switched off
 _POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
-_MORE = 3
+_MORE = 3  # variable arguments that are read
 _LOGGER_2 = ctypes.CFUNCTYPE(None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE)
 """It is variadic: its first arguments lie where those of a fixed number would."""
 _LOGGER_3 = ctypes.CFUNCTYPE(None, _POINTER, ctypes.c_int, _TEXT, _TEXT)

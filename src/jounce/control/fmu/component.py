@@ -27,7 +27,7 @@ from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
 from jounce.core.writing import lasting_folder
 
-_MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = 20_000, 1_000_000_000, 50_000_000
+_MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = 20_000, 1_000_000_000, 50_000_000  # bytes: no archive fills the disk
 _BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # an angle is one whether it says so or not
 REALS = ("Real", "Float64", "Float32")
 """Types of real numbers."""
@@ -35,7 +35,7 @@ WHOLE = (
     "Boolean", "Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64",
 )  # fmt: skip
 """Types of whole numbers, of which a Boolean has two."""
-_CHUNK = 1 << 20
+_CHUNK = 1 << 20  # bytes read at once
 
 
 @dataclass(frozen=True)

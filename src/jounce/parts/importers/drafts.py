@@ -113,6 +113,7 @@ def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
         raise DescriptionError(
             "the joints do not let the wheel rise, or not in one way only", where=str(draft.path)
         ) from None
+    # kg, a choice: lower counts a spring drawn all but unloaded; higher overrides the spring of a light kart.
     if mass > 20.0:
         draft.note("parts.import_mass_carried", draft.at("sprung mass"), mass, mass=mass)
     else:

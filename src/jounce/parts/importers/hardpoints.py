@@ -83,9 +83,9 @@ _UNIT_IN = re.compile(r"[\[(]\s*([A-Za-z]+)\s*[\])]")
 _LABEL = re.compile(r"(?i)^\W*(?:point\b)?\W*\d*\W*(?:point\s+\d+\s*:)?\s*")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
 _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
-_RADIUS = (0.08, 0.8)  # m
+_RADIUS = (0.08, 0.8)  # m: from the small wheel of a kart (0.13) to that of a lorry (0.55), and half as much again
 _NESTED = (".yaml", ".yml", ".json")
-_LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200
+_LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200  # bytes, ...: a car has 100 points; more is no table of points
 _STRUT = ("strut_bottom", "strut_top")
 _ADVICE = "Give names with --name THEIRS=OURS."
 
@@ -685,6 +685,7 @@ class PointReading:
             self._raise(-float(self.contact[2]))
         elif wheel_radius is not None:
             radius = wheel_radius
+            # A wheel stands lower by its tyre's deflection, at most a quarter, and higher by rounding only.
             if not 0.75 * radius <= height <= 1.02 * radius:
                 self.note("parts.import_moved_up", height=height)
                 self._raise(radius - height)

@@ -24,11 +24,11 @@ from jounce.parts.importers.drafts import SPRUNG_MASS, TYRE_STIFFNESS, Draft, as
 from jounce.parts.importers.hardpoints import PointReading, known_names
 from jounce.parts.importers.points import AXLE_END, PointRow, PointTable
 
-_LARGEST = 20_000_000  # bytes
+_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
 _DEEPEST = 200  # bodies
 _ARM = 0.1  # m: from a hinge to the points of its axis, where the file names none
 _FAR = 100.0  # m: a tendon's length that means none
-_LENGTHS = 2
+_LENGTHS = 2  # a pair: two ends of a tendon, two lengths of its dead band
 _CARRIERS = {body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)} - {"rocker"}
 _UNREAD = ("frame", "replicate", "attach", "composite")
 """Elements that hold bodies and sites at places of their own; MuJoCo writes them as bodies when it saves a model."""

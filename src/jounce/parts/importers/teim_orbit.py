@@ -32,7 +32,7 @@ _BLOCK = re.compile(r"\[\s*([A-Za-z0-9_ \t-]+?)\s*\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
 _CELL = re.compile(r"'([^']*)'|(\S+)")
-_LARGEST = 20_000_000  # bytes
+_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
 
 
 @dataclass

@@ -21,7 +21,7 @@ from jounce.parts.importers.teim_orbit import SI, UNITS
 _SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
-_LARGEST = 20_000_000  # bytes
+_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
 _POINTS = 9  # of a curve that is no table
 _USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_coefficient": (0.0, 5e4, "N*s/m")}
 
