@@ -27,14 +27,14 @@ def __getattr__(name: str) -> object:
     if name.startswith("__"):  # what tools ask every object for is no name misspelt
         raise AttributeError(f"module 'jounce' has no attribute {name!r}.")
     if name not in __all__:
-        from jounce.core.synonyms import meant
+        from jounce.core.synonyms import suggestion
 
-        raise AttributeError(f"module 'jounce' has no attribute {name!r}. {meant(name, __all__)}".rstrip())
+        raise AttributeError(f"module 'jounce' has no attribute {name!r}. {suggestion(name, __all__)}".rstrip())
     value = _loaded(name)
     if isinstance(value, FunctionType):
-        from jounce.core.arguments import guarded
+        from jounce.core.arguments import guard_arguments
 
-        globals()[name] = value = guarded(value, name)
+        globals()[name] = value = guard_arguments(value, name)
     return value
 
 

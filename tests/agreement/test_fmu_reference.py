@@ -109,7 +109,7 @@ def test_findings_are_counted_by_what_they_say() -> None:
     again = Tally()
     again.merge({name: json.dumps(value) if isinstance(value, list) else value for name, value in found.items()})
     assert again.attributes() == found  # as a file keeps them
-    assert again.findings(3)[-1].said("de") == "1 von 3 Varianten: hat keine Einheit: als m genommen."
+    assert again.findings(3)[-1].sentence("de") == "1 von 3 Varianten: hat keine Einheit: als m genommen."
     assert Tally().attributes() == {}
 
 

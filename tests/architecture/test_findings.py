@@ -54,24 +54,24 @@ def test_every_row_can_be_said_with_whatever_is_found(code: str, data: st.DataOb
         numbers[name] = data.draw(size if number else st.text() | size)
     found = finding(code, "somewhere", 1.0, **numbers)
     again = finding_of({name: getattr(found, name) for name in ("place", "severity", "message", "code", "numbers")})
-    assert again.said("de") == found.said("de") == sentence(code, numbers, "de")
+    assert again.sentence("de") == found.sentence("de") == sentence(code, numbers, "de")
     without = sentence(code, dict.fromkeys(numbers), "de")
     assert all(f"{{{name}" not in without for name in numbers)
 
 
 def test_german_is_written_with_its_words_units_and_comma() -> None:
     steep = finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35)
-    assert (steep.said("en"), steep.value) == ("20.1 deg is a lot; were degrees given as rad?", 0.35)
-    assert steep.said("de", decimal=",") == "20,1 ° ist viel; wurden Grad als rad angegeben?"
+    assert (steep.sentence("en"), steep.value) == ("20.1 deg is a lot; were degrees given as rad?", 0.35)
+    assert steep.sentence("de", decimal=",") == "20,1 ° ist viel; wurden Grad als rad angegeben?"
     away = finding("parts.springs_away", "strut", travel=0.05, direction="bump", needed=1e3, present=900.0)
-    assert away.said("de").startswith("Das statische Gleichgewicht liegt etwa 50 mm Radhub (Einfedern) von")
+    assert away.sentence("de").startswith("Das statische Gleichgewicht liegt etwa 50 mm Radhub (Einfedern) von")
 
 
 def test_a_finding_without_a_code_that_is_known_is_its_text() -> None:
-    assert Finding("a", "note", "as it was").said("de") == "as it was"
-    assert finding_of({"place": "a", "severity": "note", "message": "of another jounce", "code": "parts.no_such"}).said(
-        "de"
-    )
+    assert Finding("a", "note", "as it was").sentence("de") == "as it was"
+    assert finding_of(
+        {"place": "a", "severity": "note", "message": "of another jounce", "code": "parts.no_such"}
+    ).sentence("de")
 
 
 def test_codes_and_fields_are_read_from_the_sources(tmp_path: Path) -> None:

@@ -10,6 +10,8 @@ import types
 import pytest
 
 import jounce
+from jounce.core.findings import Finding
+from jounce.recordings.sensors import Sensor
 from rules import ROOT, modules, packages_below
 
 HEAVY = ["casadi", "h5py", "jinja2", "llvmlite", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "rich"]
@@ -79,3 +81,11 @@ def test_old_names_work_and_say_the_new_one(package: str, old: str, new: str) ->
         value = getattr(module, old)
     assert value is getattr(module, new)
     assert old not in dir(module)
+
+
+def test_old_methods_work_and_say_the_new_one() -> None:
+    finding = Finding("a", "note", "as it was")
+    with pytest.warns(DeprecationWarning, match="Finding.said is called sentence now"):
+        assert finding.said("de") == "as it was"
+    with pytest.warns(DeprecationWarning, match="Description.changed is called with_fields now"):
+        assert Sensor(gain=2.0).changed(gain=3.0) == Sensor(gain=3.0)

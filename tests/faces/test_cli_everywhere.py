@@ -17,9 +17,9 @@ from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
 from jounce.cli.reply import Elapsed, console, show_findings, table
 from jounce.cli.tables import FittedTable
-from jounce.core.display import chosen_units
+from jounce.core.display import current_units
 from jounce.core.findings import Finding
-from jounce.core.waiting import Stage, counted
+from jounce.core.waiting import Stage, progress_through
 
 RIG = "kart-quarter-car"
 
@@ -158,7 +158,7 @@ def test_tables_in_imperial_units_and_json_in_si(cli, bump: Path) -> None:
         assert re.search(rf"{re.escape(name)} +(lbf|in) +{re.escape(text)}", shown), name
     assert not re.search(r" (N|m|m/s|m/s\^2) ", shown)
     assert cli(*run, "--units", "imperial", "--json").json == cli(*run, "--json").json
-    assert chosen_units() == "metric"  # the next command line begins anew
+    assert current_units() == "metric"  # the next command line begins anew
     assert " N " in cli(*run).out
 
 
@@ -290,10 +290,10 @@ def test_time_passed_and_time_left() -> None:
     line.say("loading")
     now[0] = 3.0
     assert line.text() == "loading · 3 s"
-    line.say(counted("trial {which} of {count}: {name}", 1, 4, name="a"))
+    line.say(progress_through("trial {which} of {count}: {name}", 1, 4, name="a"))
     assert line.text() == "trial 1 of 4: a · 3 s"
     now[0] = 13.0
-    line.say(counted("trial {which} of {count}: {name}", 2, 4, name="b"))
+    line.say(progress_through("trial {which} of {count}: {name}", 2, 4, name="b"))
     assert line.text() == "trial 2 of 4: b · 13 s, 25 %, about 30 s left"
     now[0] = 18.0
     assert line.text() == "trial 2 of 4: b · 18 s, 25 %, about 25 s left"

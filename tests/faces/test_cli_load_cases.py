@@ -10,7 +10,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import jounce as jn
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.plots import number
 from jounce.plots.mechanisms.load_cases import load_case
 
@@ -96,7 +96,7 @@ def test_numbers_of_forces_stand_beside_each_other_and_follow_the_units() -> Non
     assert sizes[0] == sizes[1]
     largest = float(np.sqrt(sum(found[f"{name}_force"].to_numpy() ** 2 for name in NAMES)).max())
     assert f"{1e-3 * largest:.2f}" in [text.get_text() for text in figure.axes[0].texts]
-    with shown_in("imperial"):
+    with local_units("imperial"):
         figure = load_case(rig, found, "both")
     assert [axes.get_ylabel() for axes in figure.axes] == ["z [in]", "x [in]"]
     assert f"{largest / 4.4482216:.0f}" in [text.get_text() for text in figure.axes[0].texts]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.core.optional import MissingPackageError, how_to_install
 from jounce.notebook.sliders import _slider, _unit, curves_of
 
@@ -43,7 +43,7 @@ def test_a_slider_has_the_range_and_the_unit_of_its_number(kart: Any) -> None:
     assert (found["unit"], found["factor"]) == ("N/mm", 1e-3)
     given = _slider(kart, "strut.spring.preload", ("0 N", "0.2 kN"))
     assert (given["low"], given["high"], given["unit"]) == (0.0, 200.0, "N")
-    with shown_in("imperial"):
+    with local_units("imperial"):
         assert _slider(kart, RATE, None)["unit"] == "lbf/in"
 
 

@@ -19,7 +19,7 @@ import pytest
 from jounce.cli.reply import followed_by, progress
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import always_below, existing_file
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.web.jobs import _is_over
 from jounce.web.project import Project
 from jounce.web.tasks import doing_of, task_of
@@ -356,8 +356,8 @@ def test_a_process_that_works_for_others_reads_below_a_folder_in_every_thread(tm
 def test_whoever_runs_a_command_for_others_is_told_how_far_it_is():
     heard: list[tuple[str, float | None]] = []
     with followed_by(lambda line: heard.append((line.said, line.share()))), progress() as say:
-        say(counted("testing {which} of {count}", 1, 4))
-        say(counted("testing {which} of {count}", 3, 4))
+        say(progress_through("testing {which} of {count}", 1, 4))
+        say(progress_through("testing {which} of {count}", 3, 4))
     assert heard == [("testing 1 of 4", 0.0), ("testing 3 of 4", 0.5)]
 
 

@@ -10,7 +10,7 @@ import xarray as xr
 
 import jounce as jn
 from jounce.cli.options import write_numbers
-from jounce.core.text import guarded, guarded_row, unguarded
+from jounce.core.text import guard_formula, guard_row, unguard_formula
 from jounce.inspection.archive.exporting import export
 
 FORMULAS = ("=cmd|' /C calc'!A0", "+1+1", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "'=1", "''=1")
@@ -18,9 +18,9 @@ FORMULAS = ("=cmd|' /C calc'!A0", "+1+1", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "'
 
 @pytest.mark.parametrize("text", [*FORMULAS, "front", "'quoted", "", "'", "a=b"])
 def test_the_guard_comes_off_again(text: str) -> None:
-    assert unguarded(guarded(text)) == text
-    assert (guarded(text) == text) == (text not in FORMULAS)
-    assert guarded_row([text, -1.5, None]) == [guarded(text).replace("\r", "\n"), -1.5, None]
+    assert unguard_formula(guard_formula(text)) == text
+    assert (guard_formula(text) == text) == (text not in FORMULAS)
+    assert guard_row([text, -1.5, None]) == [guard_formula(text).replace("\r", "\n"), -1.5, None]
 
 
 def test_a_channel_that_looks_like_a_formula(tmp_path) -> None:
@@ -41,7 +41,7 @@ def test_rows_of_a_store_and_of_numbers(tmp_path, text: str) -> None:
     for file in (kept, tmp_path / "numbers.csv"):
         with file.open(newline="") as stream:
             rows = [*csv.reader(stream)]
-        assert guarded_row([text])[0] in rows[1]
+        assert guard_row([text])[0] in rows[1]
         assert text not in rows[1]
         assert "-0.5" in rows[1]
 

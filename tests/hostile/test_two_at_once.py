@@ -37,14 +37,14 @@ def test_folders_and_files_are_those_of_one_of_them(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("force", [False, True])
 def test_a_folder_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, force: bool) -> None:
-    renamed = writing._renamed
+    renamed = writing._move_into_place
 
     def late(built: Path, root: Path) -> bool:
         root.mkdir()
         (root / "a.txt").write_text("theirs")
         return renamed(built, root)
 
-    monkeypatch.setattr(writing, "_renamed", late)
+    monkeypatch.setattr(writing, "_move_into_place", late)
     if force:
         write_files(tmp_path / "out", {"a.txt": "ours"}, force=True)
     else:

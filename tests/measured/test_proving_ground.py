@@ -24,7 +24,7 @@ from jounce.papers.proving_ground import (
     ProvingGround,
     contact_length,
     drive,
-    enveloped,
+    envelope,
     equivalent_coefficient,
     hmmwv_corner,
     lumped_corner,
@@ -198,7 +198,7 @@ def test_shipped_rig_is_the_derived_one(corner: jn.ChronoCorner):
 )
 def test_envelope_keeps_the_course_and_takes_the_edges():
     measured = jn.load_road(COURSE)
-    course = enveloped(measured, 0.18)
+    course = envelope(measured, 0.18)
     x = np.arange(BEGIN, END, 0.01)
     assert np.std(measured.height_at(x)) == pytest.approx(0.0243, rel=0.01)  # the course's own r.m.s., SOURCE.md
     assert np.std(course.height_at(x)) == pytest.approx(np.std(measured.height_at(x)), rel=0.03)
@@ -211,7 +211,7 @@ def test_envelope_keeps_the_course_and_takes_the_edges():
 def test_power_from_the_road_is_what_damper_and_tyre_take_up(study: ProvingGround):
     assert np.abs(study.figures["power_gap"].to_numpy()).max() < 0.01
     without = study.corner.rig.with_changes({"tyre.damping_coefficient": 0.0})  # nothing is lost at lift-off then
-    course = enveloped(jn.load_road(COURSE), contact_length(without))
+    course = envelope(jn.load_road(COURSE), contact_length(without))
     speed = 30.0 / 3.6
     balance = ride_figures(drive(without, course, speed), without, study.corner)
     assert balance["lift_off"] > 0.01
@@ -226,7 +226,7 @@ def test_linear_response_is_that_of_the_frequency_response(study: ProvingGround)
     rig = study.corner.rig.with_changes({"strut.damper": {"coefficient": 3500.0}, "tyre.lift_off": False})
     speed, step, count = 20.0 / 3.6, 0.001, 2**17
     length = contact_length(rig)
-    course = enveloped(jn.load_road(COURSE), length)
+    course = envelope(jn.load_road(COURSE), length)
     run = drive(rig, course, speed)
     time = run["time"].to_numpy()
     driven = np.zeros(count)

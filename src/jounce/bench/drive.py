@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from jounce.bench.estimated import estimated, estimates_used
+from jounce.bench.estimated import estimated_default, estimates_used
 from jounce.core.description import Description, Whole
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding, finding
@@ -85,12 +85,12 @@ class BenchDrive(Description):
     cylinder_pulley_diameter: PositiveLength = 0.120
     belt_length: PositiveLength = 1.97
     belt_reference: Literal["pitch", "outer", "bare"] = "pitch"
-    cylinder_radius: PositiveLength = estimated(0.050, "typical for a bench belt of 1.97 m")
-    belt_thickness: NonNegativeLength = estimated(0.003, "typical flat belt")
-    pulley_slip: Share = estimated(0.02, "typical V-belt under load")
-    flat_belt_slip: Share = estimated(0.0, "not observable with a sensor on the cylinder")
-    efficiency: Efficiency = estimated(0.95, "typical V-belt")
-    standstill_torque: Efficiency = estimated(0.5, "typical self-ventilated motor on an inverter")
+    cylinder_radius: PositiveLength = estimated_default(0.050, "typical for a bench belt of 1.97 m")
+    belt_thickness: NonNegativeLength = estimated_default(0.003, "typical flat belt")
+    pulley_slip: Share = estimated_default(0.02, "typical V-belt under load")
+    flat_belt_slip: Share = estimated_default(0.0, "not observable with a sensor on the cylinder")
+    efficiency: Efficiency = estimated_default(0.95, "typical V-belt")
+    standstill_torque: Efficiency = estimated_default(0.5, "typical self-ventilated motor on an inverter")
 
     @property
     def ratio(self) -> float:
@@ -243,14 +243,16 @@ def photo_sensor_speed(
     _check_positive(duration, "duration", "s")
     if radius_error < 0.0:
         raise FitError("the error of the radius is negative", found=f"{radius_error} m", allowed="0 m or more")
-    one = 2.0 * math.pi / (pulses_per_revolution * duration)
-    angular = estimate(pulses * one, one / math.sqrt(6.0))
+    per_pulse = 2.0 * math.pi / (pulses_per_revolution * duration)
+    angular = estimate(pulses * per_pulse, per_pulse / math.sqrt(6.0))
     speed = angular.value * drive.radius
-    error = math.hypot(one / math.sqrt(6.0) * drive.radius, angular.value * radius_error)
+    error = math.hypot(per_pulse / math.sqrt(6.0) * drive.radius, angular.value * radius_error)
     findings = [*estimates_used(drive, "photo-sensor", _SPEED_FIELDS[:2]), _unseen_slip(drive)]
     if pulses < 40:
         findings.append(finding("bench.pulse_coarse", "photo-sensor", 1.0 / pulses, share=100.0 / pulses))
-    return SensorSpeed(estimate(speed, error), angular, one * drive.radius, drive.belt_length / speed, tuple(findings))
+    return SensorSpeed(
+        estimate(speed, error), angular, per_pulse * drive.radius, drive.belt_length / speed, tuple(findings)
+    )
 
 
 Inertia = Annotated[float, Unit("kg*m^2", at_least=0.0)]
@@ -285,13 +287,13 @@ class BeltLoad(Description):
         Acceleration of the belt.
     """
 
-    wheel_load: NonNegativeForce = estimated(206.0, "16 kg sprung and 5 kg unsprung mass")
-    rolling_resistance: Annotated[float, Unit("1", at_least=0.0)] = estimated(0.02, "small pneumatic tyre")
-    bed_friction: Annotated[float, Unit("1", at_least=0.0)] = estimated(0.3, "belt back on sheet metal")
+    wheel_load: NonNegativeForce = estimated_default(206.0, "16 kg sprung and 5 kg unsprung mass")
+    rolling_resistance: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(0.02, "small pneumatic tyre")
+    bed_friction: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(0.3, "belt back on sheet metal")
     bed_load: NonNegativeForce | None = None
-    bending_force: NonNegativeForce = estimated(10.0, "bending a thin flat belt round two cylinders")
-    drag: NonNegativeDampingCoefficient = estimated(0.0, "bearing losses neglected")
-    inertia: Inertia = estimated(0.0, "constant speed")
+    bending_force: NonNegativeForce = estimated_default(10.0, "bending a thin flat belt round two cylinders")
+    drag: NonNegativeDampingCoefficient = estimated_default(0.0, "bearing losses neglected")
+    inertia: Inertia = estimated_default(0.0, "constant speed")
     acceleration: Annotated[float, Unit("m/s^2")] = 0.0
 
     def force(self, speed: float, radius: float) -> float:
@@ -451,7 +453,7 @@ def attainable_speed(
     findings = [*estimates_used(drive, "bench drive"), *estimates_used(load, "belt load")]
     implied = None
     if observed_ceiling is not None:
-        implied, text = _implied(drive, load, observed_ceiling)
+        implied, text = _resistance_at_ceiling(drive, load, observed_ceiling)
         findings.append(Finding("bench drive", "note", text, implied))
     return AttainableSpeed(
         speed=float(speeds[lasting][-1]) if lasting.any() else 0.0,
@@ -471,7 +473,7 @@ def _limit(short: NDArray[np.bool_], lasting: NDArray[np.bool_]) -> Limit:
     return "cooling" if short[above] else "torque"
 
 
-def _implied(drive: BenchDrive, load: BeltLoad, ceiling: float) -> tuple[float, str]:
+def _resistance_at_ceiling(drive: BenchDrive, load: BeltLoad, ceiling: float) -> tuple[float, str]:
     there = drive_margin(drive, ceiling, load)
     text = (
         f"a ceiling of {ceiling:.3g} m/s implies a belt resistance of {there.continuous_force:.0f} N (motor "

@@ -10,7 +10,7 @@ from jounce.core.description import Description
 from jounce.core.findings import Finding, finding
 
 
-def estimated(default: Any, why: str) -> Any:
+def estimated_default(default: Any, why: str) -> Any:
     """Make a field default that is an estimate; ``why`` is its basis."""
     return Field(default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True})
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
-from jounce.bench.estimated import estimated, estimates_used
+from jounce.bench.estimated import estimated_default, estimates_used
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
@@ -80,8 +80,8 @@ class Similitude(Description):
     prototype_wheel_rate: PositiveStiffness = 18362.0
     prototype_tyre_stiffness: PositiveStiffness = 138468.0
     prototype_speed: PositiveSpeed = 1.95
-    reference_density: Density = estimated(7850.0, "density of steel")
-    reference_frequency: Frequency = estimated(1.5, "body bounce of a passenger car")
+    reference_density: Density = estimated_default(7850.0, "density of steel")
+    reference_frequency: Frequency = estimated_default(1.5, "body bounce of a passenger car")
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-from jounce.bench.estimated import estimated, estimates_used
+from jounce.bench.estimated import estimated_default, estimates_used
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
@@ -64,12 +64,12 @@ class SpringChoice(Description):
     sprung_mass: Mass = 16.0
     strut_angle: Angle = math.radians(26.0)
     tyre_stiffness: PositiveStiffness = 138468.0
-    damping_coefficient: NonNegativeDampingCoefficient = estimated(
+    damping_coefficient: NonNegativeDampingCoefficient = estimated_default(
         150.0, "damping ratio near 0.1 with the softer spring"
     )
-    available_travel: PositiveLength = estimated(0.040, "stroke of a bicycle shock absorber")
-    target_frequency: Frequency = estimated(1.84, "1.5 Hz at full size")
-    friction_force: NonNegativeForce = estimated(15.0, "linear guides after one set of balls was removed")
+    available_travel: PositiveLength = estimated_default(0.040, "stroke of a bicycle shock absorber")
+    target_frequency: Frequency = estimated_default(1.84, "1.5 Hz at full size")
+    friction_force: NonNegativeForce = estimated_default(15.0, "linear guides after one set of balls was removed")
 
 
 @dataclass(frozen=True)

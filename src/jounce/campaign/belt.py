@@ -131,7 +131,7 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
     """
     if belt is None or belt.length is None or road.recurrence is not None or road.is_course():
         return road
-    return road.changed(recurrence=belt.length)
+    return road.with_fields(recurrence=belt.length)
 
 
 def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, float] | None:
@@ -243,7 +243,7 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
     met, stated = found.times[0], road.start / speed
     if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
         return trial, None, found.findings
-    driven = trial.trial.changed(road=road.changed(start=max(met * speed, 0.0)))
+    driven = trial.trial.with_fields(road=road.with_fields(start=max(met * speed, 0.0)))
     facts = TrialOnBelt(
         noted,
         None,

@@ -17,7 +17,7 @@ from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
 from jounce.core.typed import positive_quantity, quantity
 from jounce.core.types import Array
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.identify.damper import damper_curve, fit_damper
 from jounce.identify.damper_laws import LawName
 from jounce.identify.damper_record import VelocityFrom
@@ -313,7 +313,7 @@ def fit_measured_decays(
     names = [path.name if len({other.name for other in paths}) == len(paths) else str(path) for path in paths]
     decays: dict[str, tuple[DecayResult, Array, Array]] = {}
     for number, (name, file) in enumerate(zip(names, files, strict=True), 1):
-        progress(counted("fitting {which} of {count}: {name}", number, len(files), name=Path(file.path).name))
+        progress(progress_through("fitting {which} of {count}: {name}", number, len(files), name=Path(file.path).name))
         data = compression_positive(file.data, stroke_positive, None)
         signal, kind = _motion_in(data, channel, str(file.path))
         motion, time = motion_of(kind), data["time"].to_numpy()

@@ -17,7 +17,7 @@ from jounce.core.columns import name_and_unit, text_of
 from jounce.core.description import Description, Whole, read_description
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import reading
-from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
 from jounce.core.units import Mass, PositiveHeight, PositiveLength, PositiveTime, Unit, is_unit_of, to_si
 from jounce.recordings.conditioning import sensitivity_of
@@ -41,7 +41,7 @@ class CardChannel(Sensor):
     @model_validator(mode="after")
     def _measures_something(self) -> CardChannel:
         if not quantity_of(self.measures):
-            raise misplaced(
+            raise error_at(
                 ("measures",), Phrase("{measures!r} names no known quantity, as sprung.az does", measures=self.measures)
             )
         if self.sensitivity:
@@ -94,7 +94,7 @@ class Laboratory(Description):
         measured = [channel.measures for channel in self.channels.values()]
         twice = {name for name in measured if measured.count(name) > 1}
         if twice:
-            raise misplaced(("channels",), Phrase("{twice} is measured twice", twice=min(twice)))
+            raise error_at(("channels",), Phrase("{twice} is measured twice", twice=min(twice)))
         return self
 
 

@@ -42,7 +42,7 @@ from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.phrases import Phrase
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
@@ -471,7 +471,7 @@ class Runner:
         for number, item in self.loaded.items():
             if item.trial.road is not None:
                 road = with_recurrence(item.trial.road, Belt(length=length))
-                self.loaded[number] = replace(item, trial=item.trial.changed(road=road))
+                self.loaded[number] = replace(item, trial=item.trial.with_fields(road=road))
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
@@ -494,7 +494,7 @@ class Runner:
                 continue
             try:
                 self.progress(
-                    counted("update {which} of {count}: {name}", k, len(self.campaign.update), name=entry.name)
+                    progress_through("update {which} of {count}: {name}", k, len(self.campaign.update), name=entry.name)
                 )
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
@@ -567,7 +567,9 @@ class Runner:
         compared = []
         for k, strategy in enumerate(strategies, 1):
             self.progress(
-                counted("compare strategy {which} of {count}: {name}", k, len(strategies), name=strategy.update.name)
+                progress_through(
+                    "compare strategy {which} of {count}: {name}", k, len(strategies), name=strategy.update.name
+                )
             )
             compared.append(self._compared(strategy))
         return compared
@@ -603,9 +605,9 @@ class Runner:
 
         def under(record: int, other: int) -> FitTrial:
             own, set_up = self.as_read[record], self.as_read[other]
-            trial = set_up.trial.changed(duration=own.trial.duration)
+            trial = set_up.trial.with_fields(duration=own.trial.duration)
             if trial.road is not None and trial.road.recurrence is not None:  # its speed is that of the record
-                trial = trial.changed(speed=own.trial.speed)
+                trial = trial.with_fields(speed=own.trial.speed)
             item = replace(set_up, trial=trial, measured=own.measured)
             held = self.fit_trial(item, knowledge)
             return held if trial.road is None else placed(held, None, "all", own.pulses)[0]
@@ -661,7 +663,7 @@ class Runner:
         if item is None:
             return TrialResult(entry, None, None, None, {}, {})
         which = list(self.loaded).index(entry.number) + 1
-        self.progress(counted("compare trial {which} of {count}: {name}", which, len(self.loaded), name=name))
+        self.progress(progress_through("compare trial {which} of {count}: {name}", which, len(self.loaded), name=name))
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self.comparison(item, start, lag)

@@ -13,7 +13,7 @@ from jounce.campaign.description import TrialEntry
 from jounce.campaign.shipped import truth_library
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError
-from jounce.core.files import chosen_file
+from jounce.core.files import find_file
 from jounce.core.units import (
     NonNegativeLength,
     Number,
@@ -225,7 +225,7 @@ def load_truth(path: Path | str) -> BenchTruth:
     >>> load_truth("kart-low-friction").true_rig().strut.damper.coefficient
     85.0
     """
-    file = chosen_file(path, truth_library(), "truth")
+    file = find_file(path, truth_library(), "truth")
     table, text = read_toml(file)
     check_schema(table, (SCHEMA,), str(file))
     beside = file.parent / str(table.get("rig"))

@@ -53,7 +53,7 @@ from jounce.core.errors import (
     unforeseen,
 )
 from jounce.core.interrupts import INTERRUPTED, signal_of, uncovering_interrupts
-from jounce.core.text import shortened
+from jounce.core.text import shorten
 from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
@@ -271,7 +271,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return refuse(OutputError(error.strerror or str(error), where=_place_of(error), hint=hint), as_json=as_json)
         if debug:
             traceback.print_exc()
-        what = shortened(f"internal error: {type(error).__name__}: {error}", _LONGEST)
+        what = shorten(f"internal error: {type(error).__name__}: {error}", _LONGEST)
         hint = "Please report it with the command and its files; --debug shows the traceback."
         plain = {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}
         return report_error(plain, FAILED, as_json=as_json)
@@ -340,7 +340,7 @@ def _misused(error: Any, *, as_json: bool) -> int:
     """Explain a command line that cannot be understood."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "jounce"
-    message = shortened(error.format_message().replace("Value error, ", ""), _LONGEST)
+    message = shorten(error.format_message().replace("Value error, ", ""), _LONGEST)
     if type(error).__name__ == "NoArgsIsHelpError":
         if not as_json:
             sys.stderr.write(f"{message}\n" if message else "")

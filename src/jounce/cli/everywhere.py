@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 import typer
 
-from jounce.core.display import shown_in, use_units
+from jounce.core.display import local_units, use_units
 
 
 @dataclass
@@ -34,7 +34,7 @@ def as_usual() -> Iterator[None]:
     before = VIEW.every_row, VIEW.opens
     VIEW.every_row, VIEW.opens = False, False
     try:
-        with shown_in("metric"):
+        with local_units("metric"):
             yield
     finally:
         VIEW.every_row, VIEW.opens = before

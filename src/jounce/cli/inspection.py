@@ -38,7 +38,7 @@ from jounce.core.files import existing_file
 from jounce.core.phrases import Phrase
 from jounce.core.text import visible
 from jounce.core.typed import positive_quantity, quantity
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -144,7 +144,7 @@ def simulate(
     runs = []
     with progress() as say:
         for number, lost in enumerate(wears, 1):
-            say(counted("testing {which} of {count}", number, len(wears)) if len(wears) > 1 else "testing")
+            say(progress_through("testing {which} of {count}", number, len(wears)) if len(wears) > 1 else "testing")
             found = simulate_inspection(
                 worn(chosen, lost) if lost else chosen, chosen_tester, method=method, steady=steady,
                 wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]

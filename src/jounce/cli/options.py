@@ -141,7 +141,7 @@ def write_numbers(
     import io
 
     from jounce.core.serialise import to_json
-    from jounce.core.text import guarded_row
+    from jounce.core.text import guard_row
     from jounce.core.writing import write_atomically
 
     if out.suffix.lower() == ".json":
@@ -149,8 +149,8 @@ def write_numbers(
     else:
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(guarded_row(rows[0] if rows else []))
-        writer.writerows(guarded_row(row.values()) for row in rows)
+        writer.writerow(guard_row(rows[0] if rows else []))
+        writer.writerows(guard_row(row.values()) for row in rows)
         text = stream.getvalue()
     write_atomically(out, text, force=force)
     return str(out)

@@ -13,8 +13,8 @@ from pydantic import BaseModel, Discriminator, Tag, model_validator
 
 from jounce.control.design import CornerModel
 from jounce.core.description import Description
-from jounce.core.errors import shown
-from jounce.core.misplaced import misplaced
+from jounce.core.errors import show_value
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
@@ -365,8 +365,8 @@ class MagnetorheologicalDamper(_Actuator):
             law = fields.get(name)
             if isinstance(law, dict):
                 if law.get("kind") not in laws:
-                    what = Phrase("{name}: the law's kind is {kind}", name=name, kind=shown(law.get("kind")))
-                    raise misplaced((), what, allowed="tanh, bouc-wen")
+                    what = Phrase("{name}: the law's kind is {kind}", name=name, kind=show_value(law.get("kind")))
+                    raise error_at((), what, allowed="tanh, bouc-wen")
                 fields[name] = laws[law["kind"]].from_table(law, where=name)
         return fields
 

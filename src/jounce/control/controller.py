@@ -16,10 +16,10 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.design import CornerModel
 from jounce.core.description import Description, Seed, check_schema, read_toml
-from jounce.core.errors import DescriptionError, JounceError, SimulationError, shown, unknown
+from jounce.core.errors import DescriptionError, JounceError, SimulationError, show_value, unknown
 from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
-from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.old_names import with_old_names
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
@@ -185,8 +185,8 @@ class TwoStateLaw(Controller):
     @model_validator(mode="after")
     def _check_is_damper(self) -> Self:
         if isinstance(self.actuator, ActiveActuator):
-            what = Phrase("the law {name} switches a damper", name=shown(self.name))
-            raise misplaced((), what, found=Phrase("an active actuator"), allowed="semi-active, magnetorheological")
+            what = Phrase("the law {name} switches a damper", name=show_value(self.name))
+            raise error_at((), what, found=Phrase("an active actuator"), allowed="semi-active, magnetorheological")
         return self
 
 

@@ -15,7 +15,7 @@ from dataclasses import fields, is_dataclass
 from functools import wraps
 from typing import Any, Literal, TypeVar, get_args, get_origin
 
-from jounce.core.errors import DescriptionError, JounceError, named
+from jounce.core.errors import DescriptionError, JounceError, value_or_kind
 from jounce.core.phrases import Phrase
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -44,7 +44,7 @@ _KINDS = {
 """Common name of a class, and how to get an instance; other classes keep their names."""
 
 
-def guarded(function: Function, name: str) -> Function:
+def guard_arguments(function: Function, name: str) -> Function:
     """Return a public function whose failures name the argument that does not fit its annotation.
 
     A call that succeeds, an error of jounce and an error with fitting arguments are not changed, so nothing that
@@ -53,7 +53,7 @@ def guarded(function: Function, name: str) -> Function:
 
     >>> def halve(length: float) -> float:
     ...     return length / 2.0
-    >>> guarded(halve, "halve")([1.0])
+    >>> guard_arguments(halve, "halve")([1.0])
     Traceback (most recent call last):
     jounce.core.errors.DescriptionError: halve: length: a list was given; allowed: a number.
     """
@@ -97,7 +97,7 @@ def misfit(
             swapped = [other for other, kind in hints.items() if other in signature.parameters and _is_for(wrong, kind)]
             advice = [f"It would do for {swapped[0]!r}: are the arguments in order?"] if swapped else []
             return DescriptionError(
-                Phrase("{wrong} was given", wrong=named(wrong)),
+                Phrase("{wrong} was given", wrong=value_or_kind(wrong)),
                 where=f"{function.__name__}: {place}",
                 allowed=" or ".join(words),
                 hint=" ".join([*advice, *filter(None, ways)]),

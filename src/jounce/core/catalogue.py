@@ -100,7 +100,7 @@ class _Filled(string.Formatter):
         if value is None:  # not a finite number, in a file
             return "–"
         if hasattr(value, "said"):
-            return str(value.said(self.language, decimal=self.decimal))
+            return str(value.sentence(self.language, decimal=self.decimal))
         if isinstance(value, Mapping):  # a finding that was plain data in a file
             return sentence(value["code"], value["numbers"], self.language, decimal=self.decimal)
         if isinstance(value, (list, tuple)):

@@ -17,7 +17,7 @@ from jounce.core.errors import RecordingError, ResourceError, at_line, below, ne
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
-from jounce.core.text import unguarded
+from jounce.core.text import unguard_formula
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
 
@@ -103,16 +103,16 @@ class Column:
                 where=self.where,
                 allowed=Phrase("'{name} [{si}]' or a unit that converts to it", name=self.name, si=si),
             )
-        return self.scaled(conversion_factor(self.unit, si, where=self.where))
+        return self.times(conversion_factor(self.unit, si, where=self.where))
 
-    def scaled(self, factor: float) -> Array:
+    def times(self, factor: float) -> Array:
         """Return the values times a factor; refuse impossible sizes, whose squares overflow."""
         with np.errstate(over="ignore"):
             values = np.asarray(self.readable().values * factor, dtype=float)
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
         if LARGEST < most < math.inf:  # what is no number is refused by its row
-            found = f"{most / abs(factor):g} {self.unit}".rstrip()
-            raise RecordingError("an impossible size", where=self.where, found=found)
+            size = f"{most / abs(factor):g} {self.unit}".rstrip()
+            raise RecordingError("an impossible size", where=self.where, found=size)
         return values
 
 
@@ -225,7 +225,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     separator = bare or _separator_of(lines[start], rows[0] if rows else "")
     try:
         written = [f"column {i + 1}" for i in range(named)] if bare else _header_cells(lines[start], separator)
-        header = [unguarded(cell) for cell in written]
+        header = [unguard_formula(cell) for cell in written]
         _check_header(header, file, start + 1, separator, named)
         if rows and all(row.startswith('"') for row in rows) and len(_cells(rows[0], separator)) == len(header) + 1:
             header = ["", *header]  # a table of R, whose rows have names
@@ -550,15 +550,15 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
             allowed=Phrase("{longest_cell} characters", longest_cell=_LONGEST_CELL),
         )
     if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
-        found, allowed = separator.join(header), "'name [unit]' for every column"
+        written, allowed = separator.join(header), "'name [unit]' for every column"
         if named:
             raise RecordingError(
                 Phrase("the given header names {named} columns, the file has {count}", named=named, count=len(header)),
                 where=where,
-                found=found,
+                found=written,
             )
         hint = "Write it above the numbers, or give all names in their order: columns = 'time [s], force [N]'."
-        raise RecordingError("the header is missing", where=where, found=found, allowed=allowed, hint=hint)
+        raise RecordingError("the header is missing", where=where, found=written, allowed=allowed, hint=hint)
 
 
 def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:
@@ -690,17 +690,17 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     if not _OF_CALENDAR.fullmatch(cells[0]):
         return None
     instants = [_OF_CALENDAR.fullmatch(cell) for cell in cells]
-    told = [instant.groups(default="") for instant in instants if instant is not None]
-    has_zone = {bool(utc or hours) for _, _, utc, hours, _ in told}
-    if len(told) < len(cells) or len(has_zone) > 1:
+    fields = [instant.groups(default="") for instant in instants if instant is not None]
+    has_zone = {bool(utc or hours) for _, _, utc, hours, _ in fields}
+    if len(fields) < len(cells) or len(has_zone) > 1:
         return None
     try:
-        whole = np.array([base.replace(" ", "T") for base, *_ in told], dtype="datetime64[s]").astype(np.int64)
+        whole = np.array([base.replace(" ", "T") for base, *_ in fields], dtype="datetime64[s]").astype(np.int64)
     except ValueError:  # the 31st of February
         return None
-    zones = [60 * (60 * int(hours or 0) + int(f"{hours[:1]}{minutes or 0}")) for *_, hours, minutes in told]
+    zones = [60 * (60 * int(hours or 0) + int(f"{hours[:1]}{minutes or 0}")) for *_, hours, minutes in fields]
     whole -= np.array(zones, dtype=np.int64)
-    parts_of_second = np.array([(part or "0").replace(",", ".") for _, part, *_ in told], dtype=float)
+    parts_of_second = np.array([(part or "0").replace(",", ".") for _, part, *_ in fields], dtype=float)
     elapsed = np.asarray((whole - whole[0]) + (parts_of_second - parts_of_second[0]), dtype=float).round(9)
     return elapsed, f"s since {cells[0]}"
 
@@ -748,7 +748,7 @@ def _table(
     width = len(heads)
     for row, line in zip(rows, lines, strict=True):
         if len(row) != width and not (len(row) == width + 1 and row[-1] == ""):
-            raise _ragged(row, header, at_line(file, line), separator)
+            raise _ragged_row_error(row, header, at_line(file, line), separator)
     return [[row[position] for row in rows] for position in range(width)]
 
 
@@ -806,7 +806,7 @@ def _numbers(
     return fault, part
 
 
-def _ragged(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:
+def _ragged_row_error(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:
     columns = len(header) - (header[-1] == "")
     if header[-1] == "" and len(row) == len(header):
         mark = _SEPARATOR_NAMES[separator]

@@ -87,10 +87,10 @@ def _inside_is_known() -> bool:
     once may see it half loaded, so one of them goes first.
     """
     with turn(_inside_is_known):
-        return _tried()
+        return _matches_public()
 
 
-def _tried() -> bool:
+def _matches_public() -> bool:
     import xarray as xr
 
     try:

@@ -13,9 +13,10 @@ from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJson
 from pydantic_core import CoreSchema
 
 from jounce.core.arguments import fits
-from jounce.core.errors import DescriptionError, as_found, at_line, below, nearest, shown, unknown
+from jounce.core.errors import DescriptionError, as_found, at_line, below, nearest, show_value, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
+from jounce.core.old_names import old_method
 from jounce.core.phrases import Phrase, Phrases
 from jounce.core.shown import Shown
 from jounce.core.text import qualify
@@ -83,7 +84,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
     def _frozen(self, name: str, value: object) -> DescriptionError:
         if name not in type(self).model_fields:
             return unknown(name, type(self).model_fields, what="field", where=type(self).__name__)
-        change = f"'{name}': {shown(value)}"
+        change = f"'{name}': {show_value(value)}"
         if hasattr(self, "with_changes"):
             hint = f"Make a changed copy: with_changes({{{change}}})."
         else:
@@ -95,12 +96,14 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         kinds = type(self).model_fields
         if all(name in kinds and fits(value, kinds[name].annotation) for name, value in (update or {}).items()):
             return super().model_copy(update=update, deep=deep)
-        return self.changed(**(update or {}))
+        return self.with_fields(**(update or {}))
 
-    def changed(self, **fields: Any) -> Self:
+    def with_fields(self, **fields: Any) -> Self:
         """Return a copy with other values, checked as a whole; defaults that were not set stay unset."""
         own = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
         return type(self)(**{**own, **fields})
+
+    changed: ClassVar[Any] = old_method("Description.changed", "with_fields")
 
     def __getstate__(self) -> dict[Any, Any]:
         """State with the same pickled bytes in every process: nothing derived, and no set of texts."""
@@ -227,7 +230,7 @@ def is_nested_deeply(value: object) -> bool:
 _SCHEMA = re.compile(r"""^[ \t]*(["']?)schema\1[ \t]*=[ \t]*(["'])(?P<name>.*?)\2""", re.MULTILINE)
 
 
-def schema_told(path: Path) -> str:
+def schema_named_in(path: Path) -> str:
     """Return the schema that a file of TOML names, empty without one; also of invalid files."""
     if path.suffix != ".toml" or not path.is_file():
         return ""
@@ -278,7 +281,7 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
             names = _split_key(header[2])
             if header[1]:
                 seen[names] = seen.get(names, -1) + 1
-            here = table = _indexed(names, seen)
+            here = table = _path_with_entries(names, seen)
         elif key:
             here = (*table, *_split_key(key[1]))
         else:
@@ -312,7 +315,7 @@ def _split_key(text: str) -> tuple[str, ...]:
     return tuple(part.strip("\"'") for part in re.findall(_NAME, text))
 
 
-def _indexed(names: tuple[str, ...], seen: dict[tuple[str, ...], int]) -> tuple[str | int, ...]:
+def _path_with_entries(names: tuple[str, ...], seen: dict[tuple[str, ...], int]) -> tuple[str | int, ...]:
     """Path of a table with the number of the array entry it belongs to."""
     path: list[str | int] = []
     for depth, name in enumerate(names, 1):
@@ -322,7 +325,7 @@ def _indexed(names: tuple[str, ...], seen: dict[tuple[str, ...], int]) -> tuple[
     return tuple(path)
 
 
-def dotted(path: tuple[str | int, ...]) -> str:
+def join_path(path: tuple[str | int, ...]) -> str:
     """Write a path as users do: ``trial[2].speed``."""
     text = ""
     for part in path:
@@ -376,12 +379,12 @@ def _is_within(whole: Any, items: list[Any]) -> bool:
 
 def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> DescriptionError:
     """One problem, at its place."""
-    within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
+    within, models = _user_path(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     if item["type"] == "misplaced":
         path = (*path, *item["ctx"]["path"])
     line = line_of(text, path) if text else None
-    place = below(at_line(where, line) if where else "", dotted(path))
+    place = below(at_line(where, line) if where else "", join_path(path))
     problem = DescriptionError(**_parts(item, path, models), where=place or kind.__name__)
     problem.path, problem.line = path, line
     return problem
@@ -389,7 +392,7 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
 
 def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]) -> dict[str, Any]:
     """What is wrong, what was found, what is allowed and what to do, of a problem that pydantic reports."""
-    told = item.get("ctx", {})
+    context = item.get("ctx", {})
     match item["type"]:
         case "extra_forbidden":
             fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
@@ -398,22 +401,22 @@ def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]
         case "missing":
             return {"what": "the key is missing and has no default"}
         case "union_tag_invalid":
-            tags = [tag.strip(" '") for tag in told["expected_tags"].split(",")]
-            named = told["discriminator"].strip("'")
+            tags = [tag.strip(" '") for tag in context["expected_tags"].split(",")]
+            named = context["discriminator"].strip("'")
             key = "kind" if named.endswith("()") else named
-            what = Phrase("unknown {kind} {name}", kind=key, name=shown(told["tag"]))
-            return {"what": what, "allowed": ", ".join(tags), "hint": nearest(told["tag"], tags)}
+            what = Phrase("unknown {kind} {name}", kind=key, name=show_value(context["tag"]))
+            return {"what": what, "allowed": ", ".join(tags), "hint": nearest(context["tag"], tags)}
         case "union_tag_not_found":
-            return {"what": Phrase("the key {key} is missing; it says what this is", key=told["discriminator"])}
+            return {"what": Phrase("the key {key} is missing; it says what this is", key=context["discriminator"])}
         case "misplaced":
-            return dict(told["parts"])
-        case "value_error" if isinstance(told["error"].args[0], Phrase):
-            return {"what": told["error"].args[0]}
+            return dict(context["parts"])
+        case "value_error" if isinstance(context["error"].args[0], Phrase):
+            return {"what": context["error"].args[0]}
         case "value_error":
             return {"what": _of_pydantic(item)}
     parts: dict[str, Any] = {"what": _of_pydantic(item), "found": as_found(item["input"])}
     if item["type"] == "literal_error" and isinstance(item["input"], str):
-        parts["hint"] = nearest(item["input"], re.findall(r"'([^']*)'", told["expected"]))
+        parts["hint"] = nearest(item["input"], re.findall(r"'([^']*)'", context["expected"]))
     return parts
 
 
@@ -423,7 +426,9 @@ def _of_pydantic(item: Any) -> str:
     return f"{message[0].lower()}{message[1:]}"
 
 
-def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:
+def _user_path(
+    kind: type[BaseModel], loc: tuple[str | int, ...]
+) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:
     """Path as the user wrote it, without pydantic's own names, and the descriptions allowed there."""
     current: list[type[BaseModel]] = [kind]
     path: list[str | int] = []
@@ -436,7 +441,7 @@ def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[st
             continue
         path.append(part)
         if isinstance(part, str):
-            step = [found for model in current for found in _models_of(_annotation(model, part))]
+            step = [inner for model in current for inner in _models_of(_annotation(model, part))]
             current = step or current
     return tuple(path), current
 

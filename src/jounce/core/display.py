@@ -107,7 +107,7 @@ _LARGE: dict[System, dict[str, tuple[float, DisplayUnit]]] = {
 _chosen: System = "metric"
 
 
-def chosen_units() -> System:
+def current_units() -> System:
     """Name the system in which values are shown."""
     return _chosen
 
@@ -148,7 +148,7 @@ def use_units(system: System) -> None:
 
 
 @contextmanager
-def shown_in(system: System) -> Iterator[None]:
+def local_units(system: System) -> Iterator[None]:
     """Show values in a system within a block."""
     before = _chosen
     use_units(system)
@@ -185,7 +185,7 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
     return _UNITS[_chosen].get(si) or DisplayUnit(si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0)
 
 
-def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
+def display_unit_for(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
     """Unit of the chosen system for values in a metric unit, and the factor.
 
     Parameters
@@ -204,16 +204,16 @@ def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
 
     Examples
     --------
-    >>> with shown_in("imperial"):
-    ...     shown_as("mm").name, round(shown_as("m/s", "speed").factor, 5), shown_as("Hz")
+    >>> with local_units("imperial"):
+    ...     display_unit_for("mm").name, round(display_unit_for("m/s", "speed").factor, 5), display_unit_for("Hz")
     ('in', 2.23694, DisplayUnit(name='Hz', factor=1.0))
     """
     if _chosen == "metric":
         return DisplayUnit(unit, 1.0)
-    found = _si_of(unit)
-    if found is None:
+    conversion = _si_of(unit)
+    if conversion is None:
         return DisplayUnit(unit, 1.0)
-    si, size = found
+    si, size = conversion
     if si == "m/s" and "speed" in words:
         largest = math.inf
     other = display_unit(si, largest * size)
@@ -221,13 +221,13 @@ def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
 
 
 def size(value: float, unit: str, words: str = "") -> str:
-    """A value in a metric unit, written in the chosen system with its unit; ``words`` as in `shown_as`.
+    """A value in a metric unit, written in the chosen system with its unit; ``words`` as in `display_unit_for`.
 
-    >>> with shown_in("imperial"):
+    >>> with local_units("imperial"):
     ...     size(20.0, "m/s"), size(0.35, "m"), size(2.0, "s")
     ('44.74 mph', '13.78 in', '2 s')
     """
-    other = shown_as(unit, words, abs(value))
+    other = display_unit_for(unit, words, abs(value))
     digits = ".6g" if other.factor == 1.0 else ".4g"
     return f"{value * other.factor:{digits}} {other.name}"
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from jounce.core.phrases import Phrase, Phrases, german_of, in_german
-from jounce.core.text import shortened
+from jounce.core.text import shorten
 
 _LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
 """Characters: a file's content may be long, a message must not."""
@@ -51,14 +51,14 @@ class JounceError(Exception):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as text and facts, whatever arguments the constructor of a subclass takes."""
-        plain = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
+        plain = self.found if isinstance(self.found, (str, int, float, type(None))) else show_value(self.found)
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
     def message(self, *, placed: bool = True) -> Phrase:
         """Give its parts as one sentence, with its place if ``placed``."""
-        found = None if self.found is None else shown(self.found)
+        value = None if self.found is None else show_value(self.found)
         where = self.where if placed else ""
-        return Message(self.what, where=where, found=found, allowed=self.allowed, hint=self.hint)
+        return Message(self.what, where=where, found=value, allowed=self.allowed, hint=self.hint)
 
 
 class Message(Phrase):
@@ -80,9 +80,9 @@ class Message(Phrase):
         hint: str = "",
     ) -> Message:
         """Join the parts; ``found`` is the text of the value."""
-        text = shortened(what, _LONGEST)
-        parts = (shortened(where, _LONGEST_PLACE), text, found, shortened(allowed, _LONGEST), hint)
-        message = str.__new__(cls, cls._joined(cls._ENGLISH, *parts))
+        text = shorten(what, _LONGEST)
+        parts = (shorten(where, _LONGEST_PLACE), text, found, shorten(allowed, _LONGEST), hint)
+        message = str.__new__(cls, cls._join(cls._ENGLISH, *parts))
         message._parts = parts
         return message
 
@@ -91,18 +91,18 @@ class Message(Phrase):
 
     def german(self) -> str | None:
         """The same in German; None without a German text."""
-        where, what, found, allowed, hint = self._parts
+        where, what, value, allowed, hint = self._parts
         wrong = german_of(what)
         if wrong is None:
             return None
         rest = german_of(allowed) or allowed, german_of(hint) or hint
-        return self._joined(self._GERMAN, in_german(where), wrong, in_german(found), *rest)
+        return self._join(self._GERMAN, in_german(where), wrong, in_german(value), *rest)
 
     @staticmethod
-    def _joined(words: tuple[str, str], where: str, what: str, found: str | None, allowed: str, hint: str) -> str:
+    def _join(words: tuple[str, str], where: str, what: str, value: str | None, allowed: str, hint: str) -> str:
         text = f"{where}: {what}" if where else what
-        if found is not None:
-            text += f"{words[0]}{found}"
+        if value is not None:
+            text += f"{words[0]}{value}"
         if allowed:
             text += f"{words[1]}{allowed}"
         if hint:
@@ -110,8 +110,8 @@ class Message(Phrase):
         return text if text.endswith((".", "?")) else f"{text}."
 
 
-def _message(where: str, what: str, found: str | None, allowed: str, hint: str) -> Message:
-    return Message(what, where=where, found=found, allowed=allowed, hint=hint)
+def _message(where: str, what: str, value: str | None, allowed: str, hint: str) -> Message:
+    return Message(what, where=where, found=value, allowed=allowed, hint=hint)
 
 
 class DescriptionError(JounceError):
@@ -242,15 +242,15 @@ def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = Joun
     if isinstance(error, MemoryError):
         message = " ".join(str(error).split())
         return kind("this takes more memory than there is", where=where, found=message or None)
-    text = shortened(f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE)
+    text = shorten(f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE)
     hint = "Please report it with the file."
     return kind(f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint)
 
 
-def shown(value: object) -> str:
+def show_value(value: object) -> str:
     """A value as messages show it: text in quotes, and all values cut to a readable length.
 
-    >>> shown("5 mm"), shown([0.1, 0.2])
+    >>> show_value("5 mm"), show_value([0.1, 0.2])
     ("'5 mm'", '[0.1, 0.2]')
     """
     if isinstance(value, Phrase):  # words of jounce, not a text of the user's
@@ -259,26 +259,26 @@ def shown(value: object) -> str:
         text = repr(value) if isinstance(value, str) else str(value)
     except ValueError:  # Python does not write integers of more than some thousand digits
         text = "an integer of thousands of digits"
-    return shortened(text, _LONGEST_VALUE)
+    return shorten(text, _LONGEST_VALUE)
 
 
 def as_found(value: object) -> str:
     """A value of a file as stored in errors: its text, quoted in messages if the value was text.
 
-    >>> as_found("5 mm"), shown(as_found("5 mm")), shown(as_found(5))
+    >>> as_found("5 mm"), show_value(as_found("5 mm")), show_value(as_found(5))
     ('5 mm', "'5 mm'", '5')
     """
-    return shortened(value, _LONGEST_VALUE) if isinstance(value, str) else Phrase("{value}", value=shown(value))
+    return shorten(value, _LONGEST_VALUE) if isinstance(value, str) else Phrase("{value}", value=show_value(value))
 
 
-def named(value: object) -> str:
+def value_or_kind(value: object) -> str:
     """Name of a value in messages: plain values themselves, others by their kind.
 
-    >>> named("5 mm"), named(3), named([1, 2]), named(KeyError())
+    >>> value_or_kind("5 mm"), value_or_kind(3), value_or_kind([1, 2]), value_or_kind(KeyError())
     ("'5 mm'", '3', 'a list', 'a KeyError')
     """
     if value is None or isinstance(value, (str, bool, int, float)):
-        return shown(value)
+        return show_value(value)
     name = type(value).__name__
     return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"
 
@@ -286,7 +286,7 @@ def named(value: object) -> str:
 def nearest(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``did you mean 'x'?``, or an empty text without a similar option."""
     match = nearest_name(name, options)
-    return Phrase("Did you mean {name}?", name=shown(match)) if match else ""
+    return Phrase("Did you mean {name}?", name=show_value(match)) if match else ""
 
 
 def nearest_name(name: str, options: Iterable[str]) -> str:
@@ -298,7 +298,7 @@ def nearest_name(name: str, options: Iterable[str]) -> str:
 def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") -> DescriptionError:
     """Build the error for a name that is not among ``options``."""
     choices = sorted(options)
-    phrase = Phrase("unknown {kind} {name}", kind=Phrase(what), name=shown(name))
+    phrase = Phrase("unknown {kind} {name}", kind=Phrase(what), name=show_value(name))
     return DescriptionError(phrase, where=where, allowed=", ".join(choices), hint=nearest(name, choices))
 
 

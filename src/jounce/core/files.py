@@ -105,11 +105,11 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *,
     file = existing_file(path, error)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     with os.fdopen(os.open(file, flags), "rb") as stream:
-        found = os.fstat(stream.fileno())
-        if not stat.S_ISREG(found.st_mode):
+        status = os.fstat(stream.fileno())
+        if not stat.S_ISREG(status.st_mode):
             raise error("a pipe or a device, not a file", where=str(file))
-        if found.st_size > most:
-            size, allowed = (f"{number / 1e9:.3g} GB" for number in (found.st_size, most))
+        if status.st_size > most:
+            size, allowed = (f"{number / 1e9:.3g} GB" for number in (status.st_size, most))
             raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {allowed}")
         with reading(file, error):
             return stream.read(most)
@@ -139,12 +139,12 @@ def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str,
     return {file.stem: file for file in sorted(root.glob(f"*{suffix}"))}
 
 
-def chosen_file(
+def find_file(
     name: Path | str, shipped: Mapping[str, Path], what: str, *, others: str = "a path to a .toml file"
 ) -> Path:
     """Find the file that a user names: a path (recognised by its suffix, or because it exists), or a shipped file.
 
-    >>> chosen_file("eusama", {"eusama": Path("library/eusama.toml")}, "tester").name
+    >>> find_file("eusama", {"eusama": Path("library/eusama.toml")}, "tester").name
     'eusama.toml'
     """
     file = Path(name)

@@ -9,9 +9,10 @@ from typing import Any, SupportsFloat, get_args
 
 from jounce.core.catalogue import Language, Severity, row_of, sentence
 from jounce.core.errors import JounceError, OutputError
+from jounce.core.old_names import old_method
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
-from jounce.core.text import shortened
+from jounce.core.text import shorten
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Finding(Shown):
     def __str__(self) -> str:
         return f"{self.severity}: {self.place}: {self.message}"
 
-    def said(self, language: Language = "en", *, decimal: str = ".") -> str:
+    def sentence(self, language: Language = "en", *, decimal: str = ".") -> str:
         """Return its sentence in a language; the message if its code is unknown.
 
         Parameters
@@ -61,12 +62,14 @@ class Finding(Shown):
 
         Examples
         --------
-        >>> finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35).said("de", decimal=",")
+        >>> finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35).sentence("de", decimal=",")
         '20,1 ° ist viel; wurden Grad als rad angegeben?'
         """
         if language == "en" or row_of(self.code) is None:
             return self.message
         return sentence(self.code, self.numbers, language, decimal=decimal)
+
+    said = old_method("Finding.said", "sentence")
 
 
 def finding(
@@ -130,13 +133,13 @@ def translations(plain: Any) -> dict[str, str]:
     {'out of range': 'außerhalb des Bereichs'}
     """
     items = plain.values() if isinstance(plain, Mapping) else plain if isinstance(plain, (list, tuple)) else ()
-    found: dict[str, str] = {}
+    german_texts: dict[str, str] = {}
     for item in items:
         if isinstance(item, Phrase) and (german := item.german()):
-            found[item] = german
+            german_texts[item] = german
         elif isinstance(item, (Mapping, list, tuple)):
-            found |= translations(item)
-    return found
+            german_texts |= translations(item)
+    return german_texts
 
 
 def for_page(plain: Mapping[str, Any]) -> Any:
@@ -166,19 +169,19 @@ def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
     """
     if DATA in attributes:
         return [finding_of(plain) for plain in json.loads(attributes[DATA])]
-    told = attributes.get(TEXTS, [])
-    found = []
-    for text in [told] if isinstance(told, str) else told:
+    texts = attributes.get(TEXTS, [])
+    findings = []
+    for text in [texts] if isinstance(texts, str) else texts:
         severity, _, rest = str(text).partition(": ")
         place, _, message = rest.partition(": ")
         if severity in get_args(Severity) and message:
-            found.append(Finding(place, severity, message))  # type: ignore[arg-type]
-    return found
+            findings.append(Finding(place, severity, message))  # type: ignore[arg-type]
+    return findings
 
 
 def not_drawn(place: str, error: Exception) -> Finding:
     """A problem with drawing a picture or a page; the computed results are not affected."""
-    text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shortened(str(error), 300)}"
+    text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shorten(str(error), 300)}"
     return finding("core.not_drawn", place, error=text.rstrip("."))
 
 
@@ -193,4 +196,4 @@ class DrawingError(OutputError):
 
     def __init__(self, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
-        super().__init__("; ".join(one.message.rstrip(".") for one in self.findings), where=self.findings[0].place)
+        super().__init__("; ".join(item.message.rstrip(".") for item in self.findings), where=self.findings[0].place)

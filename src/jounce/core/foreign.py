@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import JounceError, shown
+from jounce.core.errors import JounceError, show_value
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
@@ -51,14 +51,14 @@ def _numbers(values: Any) -> tuple[NDArray[Any], str]:
     if hasattr(values, "__dask_graph__"):
         values = values.compute()  # its own conversion loses masks
     if isinstance(values, Sequence) and not isinstance(values, str | bytes):
-        array, of_items = _stacked(list(values))
+        array, of_items = _stack(list(values))
         return array, unit or of_items
     array = np.asanyarray(values)
     _refuse(getattr(array, "mask", False), "is masked")
     array = np.asarray(array)
     kind = array.dtype.kind
     if kind == "O":
-        array, of_items = _stacked(list(array)) if array.ndim else _scalar(array.item())
+        array, of_items = _stack(list(array)) if array.ndim else _scalar(array.item())
         return array, unit or of_items
     if kind == "c":
         _refuse(array.imag != 0.0, "has an imaginary part")
@@ -95,7 +95,7 @@ def _unit(text: str) -> str:
     return "1" if text in ("", "dimensionless") else text
 
 
-def _stacked(items: list[Any]) -> tuple[NDArray[Any], str]:
+def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
     """Items as one array; they are of one kind and carry one unit."""
     kinds_of_items = {type(item) for item in items}
     if np.timedelta64 not in kinds_of_items and all(issubclass(kind, _REAL) for kind in kinds_of_items):
@@ -127,7 +127,7 @@ def _scalar(value: Any) -> tuple[NDArray[Any], str]:
         if value.tzinfo is not None:
             return np.array(value.astimezone(UTC).replace(tzinfo=None), "M8[us]"), _ZONED
         return np.array(value, "M8[us]"), ""
-    raise _NoNumberError(Phrase("{value} is no number", value=shown(value)))
+    raise _NoNumberError(Phrase("{value} is no number", value=show_value(value)))
 
 
 _REAL = (float, int, np.floating, np.integer)  # NumPy's durations count as integers, too

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pydantic_core import PydanticCustomError
 
-from jounce.core.errors import JounceError, Message, as_found, below, shown
+from jounce.core.errors import JounceError, Message, as_found, below, show_value
 from jounce.core.phrases import Phrase
 
 
-def misplaced(
+def error_at(
     path: tuple[str | int, ...], what: str, *, found: str | None = None, allowed: str = "", hint: str = ""
 ) -> PydanticCustomError:
     """Build the error of a validator about the value at ``path`` below the description that is validated.
@@ -16,13 +16,13 @@ def misplaced(
     The parts are those of an error (`JounceError`); ``found`` are words, or text of the user's.
     """
     parts = {"what": what, "found": found, "allowed": allowed, "hint": hint}
-    text = Message(what, found=None if found is None else shown(found), allowed=allowed, hint=hint)
+    text = Message(what, found=None if found is None else show_value(found), allowed=allowed, hint=hint)
     template = text.removesuffix(".").replace("{", "(").replace("}", ")").encode(errors="replace").decode()
     return PydanticCustomError("misplaced", template, {"path": list(path), "parts": parts})
 
 
 def misplaced_value(path: tuple[str | int, ...], error: JounceError) -> PydanticCustomError:
     """Build the error of a validator of what is wrong with the value at ``path``."""
-    found = None if error.found is None else as_found(error.found)
+    value = None if error.found is None else as_found(error.found)
     what = below(error.where, Phrase(error.what)) if error.where else error.what
-    return misplaced(path, what, found=found, allowed=error.allowed, hint=error.hint)
+    return error_at(path, what, found=value, allowed=error.allowed, hint=error.hint)

@@ -93,7 +93,7 @@ def digits_for(value: float, error: float | None, most: int = 7, default: int = 
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
 
 
-def estimate_cells(found: Estimated | None, si: str, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
+def estimate_cells(estimate: Estimated | None, si: str, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
     """Value, standard error, 95 % interval and unit of an estimate in the SI unit ``si``, as table cells.
 
     ``shown`` is the unit to write it in, by default the usual one of its size.
@@ -104,34 +104,34 @@ def estimate_cells(found: Estimated | None, si: str, shown: DisplayUnit | None =
     >>> estimate_cells(Estimate(22731.4, 12.3, (22705.0, 22757.0)), "N/m")
     ('22.731', '0.012', '22.705 to 22.757', 'N/mm')
     """
-    if found is None:
+    if estimate is None:
         return "–", "–", "–", display_unit(si).name
-    unit = shown or display_unit(si, found.value)
-    value = found.value * unit.factor
-    error = None if found.standard_error is None else found.standard_error * unit.factor
+    unit = shown or display_unit(si, estimate.value)
+    value = estimate.value * unit.factor
+    error = None if estimate.standard_error is None else estimate.standard_error * unit.factor
     digits = digits_for(value, error)
     interval = "–"
-    if found.interval is not None:
-        low, high = (end * unit.factor for end in found.interval)
+    if estimate.interval is not None:
+        low, high = (end * unit.factor for end in estimate.interval)
         width = (high - low) / 4.0
         interval = f"{number(low, digits_for(low, width))} to {number(high, digits_for(high, width))}"
     return number(value, digits), number(error, 2), interval, unit.name
 
 
-def estimate_text(found: Estimated | None, si: str) -> str:
+def estimate_text(estimate: Estimated | None, si: str) -> str:
     """Write an estimate in a sentence: ``22.731 N/mm (95 %: 22.705 to 22.757)``; ``si`` is its SI unit."""
-    if found is None:
+    if estimate is None:
         return "–"
-    value, _, interval, unit = estimate_cells(found, si)
+    value, _, interval, unit = estimate_cells(estimate, si)
     return f"{value} {unit}".strip() + (f" (95 %: {interval})" if interval != "–" else "")
 
 
-def with_half(found: Estimated, factor: float = 1.0) -> str:
+def with_half(estimate: Estimated, factor: float = 1.0) -> str:
     """Write an estimate times a factor with half of its interval: ``5.44 ± 0.03``."""
-    if found.interval is None:
-        return number(found.value * factor)
-    half = 0.5 * (found.interval[1] - found.interval[0]) * factor
-    value = found.value * factor
+    if estimate.interval is None:
+        return number(estimate.value * factor)
+    half = 0.5 * (estimate.interval[1] - estimate.interval[0]) * factor
+    value = estimate.value * factor
     return f"{number(value, digits_for(value, half))} ± {number(half, 2)}"
 
 

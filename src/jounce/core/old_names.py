@@ -1,4 +1,4 @@
-"""Renamed public names: the old ones still work, and warn what to write instead."""
+"""Renamed public names and methods: the old ones still work, and warn what to write instead."""
 
 from __future__ import annotations
 
@@ -25,3 +25,20 @@ def with_old_names(
         return load(name)
 
     return get
+
+
+def old_method(old: str, new: str) -> Any:
+    """Return a method that calls the method ``new`` of the same object, with a warning; ``old`` is ``"Class.name"``.
+
+    >>> class Spring:
+    ...     def stretch(self, length):
+    ...         return 2.0 * length
+    ...
+    ...     stretched = old_method("Spring.stretched", "stretch")
+    """
+
+    def call(self: Any, *arguments: Any, **options: Any) -> Any:
+        warnings.warn(f"{old} is called {new} now", DeprecationWarning, stacklevel=2)
+        return getattr(self, new)(*arguments, **options)
+
+    return call

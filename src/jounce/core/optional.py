@@ -54,5 +54,5 @@ def how_to_install(extra: str) -> str:
     if address.scheme == "file" and (folder / "pyproject.toml").is_file():
         editable = ["-e"] if source.get("dir_info", {}).get("editable") else []
         return command_line(["pip", "install", *editable, f"{folder}[{extra}]"])
-    needed = [one.partition(";") for one in own.requires or ()]
+    needed = [requirement.partition(";") for requirement in own.requires or ()]
     return command_line(["pip", "install", *(name for name, _, when in needed if re.search(rf"\b{extra}\b", when))])

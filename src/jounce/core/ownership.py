@@ -29,14 +29,14 @@ def read_own(file: Path) -> bytes:
     OSError
         If there is no such regular file that can be read.
     """
-    place = _walked(file)
+    place = _check_path(file)
     # Opened first, then examined, so that both are the same file. A pipe must not block.
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
     with os.fdopen(os.open(place, flags), "rb") as stream:
-        found = os.fstat(stream.fileno())
-        if not stat.S_ISREG(found.st_mode):
+        status = os.fstat(stream.fileno())
+        if not stat.S_ISREG(status.st_mode):
             raise FileNotFoundError(place)
-        _check(found, place)
+        _check(status, place)
         return stream.read()
 
 
@@ -50,12 +50,12 @@ def own_folder(folder: Path) -> Path:
     OSError
         If it cannot be made.
     """
-    for one in (*reversed(folder.parents), folder):
-        one.mkdir(mode=0o755, exist_ok=True)  # whatever the mask is
-    return _walked(folder / "file").parent
+    for path in (*reversed(folder.parents), folder):
+        path.mkdir(mode=0o755, exist_ok=True)  # whatever the mask is
+    return _check_path(folder / "file").parent
 
 
-def _walked(file: Path) -> Path:
+def _check_path(file: Path) -> Path:
     """Path of a file without links; every folder and link on the way is checked.
 
     From the root downwards: what lies in a folder that only trusted people can write stays what it is after it was
@@ -71,15 +71,15 @@ def _walked(file: Path) -> Path:
             here = here.parent
             continue
         try:
-            found = (here / name).lstat()
+            status = (here / name).lstat()
         except FileNotFoundError:
             if waiting:
                 raise
             return here / name
-        if not stat.S_ISLNK(found.st_mode):
+        if not stat.S_ISLNK(status.st_mode):
             here /= name
             continue
-        if found.st_uid not in _trusted() or (links := links + 1) > _MOST_LINKS:
+        if status.st_uid not in _trusted_users() or (links := links + 1) > _MOST_LINKS:
             raise ForeignError(None, "a link of another user", str(here / name))
         target = Path((here / name).readlink())
         waiting += reversed(target.parts[target.is_absolute() :])
@@ -91,28 +91,28 @@ def _check_folder(folder: Path, *, last: bool) -> None:
     """Refuse a folder in which others can replace the path; for the ``last`` one also if they can add files."""
     if folder in Path(__file__).resolve().parents:
         return  # who can write there can also write jounce
-    found = folder.lstat()
-    if not stat.S_ISDIR(found.st_mode):
+    status = folder.lstat()
+    if not stat.S_ISDIR(status.st_mode):
         raise NotADirectoryError(folder)
-    _check(found, folder, sticky_will_do=not last)
+    _check(status, folder, sticky_will_do=not last)
 
 
-def _check(found: os.stat_result, where: Path, *, sticky_will_do: bool = False) -> None:
+def _check(status: os.stat_result, where: Path, *, sticky_will_do: bool = False) -> None:
     if os.name != "posix":
         return
     own = Path(__file__).stat()
-    others = found.st_mode & ~own.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    if found.st_gid != own.st_gid:
-        others |= found.st_mode & stat.S_IWGRP
-    if others & stat.S_IWGRP and _is_private(found.st_gid, found.st_uid):
+    others = status.st_mode & ~own.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    if status.st_gid != own.st_gid:
+        others |= status.st_mode & stat.S_IWGRP
+    if others & stat.S_IWGRP and _is_private(status.st_gid, status.st_uid):
         others &= ~stat.S_IWGRP
-    if sticky_will_do and found.st_mode & stat.S_ISVTX:
+    if sticky_will_do and status.st_mode & stat.S_ISVTX:
         others = 0
-    if found.st_uid not in _trusted() or others:
+    if status.st_uid not in _trusted_users() or others:
         raise ForeignError(None, "belongs to another user or can be written by others", str(where))
 
 
-def _trusted() -> tuple[int, ...]:
+def _trusted_users() -> tuple[int, ...]:
     return (os.geteuid(), Path(__file__).stat().st_uid, 0)
 
 

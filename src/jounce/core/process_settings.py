@@ -20,7 +20,7 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def caught_warnings() -> Iterator[list[warnings.WarningMessage]]:
+def collect_warnings() -> Iterator[list[warnings.WarningMessage]]:
     """Collect the warnings of a block instead of showing them."""
     with PROCESS_SETTINGS, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

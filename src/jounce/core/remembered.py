@@ -19,14 +19,14 @@ Found = TypeVar("Found")
 _NOTHING: Any = object()
 
 
-def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
+def once_per_object(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
     """Call a function once for each object; the result is cached beside the object, not in it.
 
     The object must never change, and what the function gives is shared by all who ask: it must not change either, and
     must not hold the object, which would then never be freed. Objects are compared by identity, not by equality.
     Concurrent threads get the same result: one of them calls, the others wait.
 
-    >>> @remembered
+    >>> @once_per_object
     ... def size(description):
     ...     print("asked")
     ...     return len(description)

@@ -47,10 +47,10 @@ def as_values(values: object, si: str, *, where: str) -> Array:
     return array
 
 
-def listed(values: object) -> object:
+def as_list(values: object) -> object:
     """Return an array or column of any library as a list of numbers, or texts with its unit; other objects unchanged.
 
-    >>> listed(np.array([0, 500], "m8[ms]"))
+    >>> as_list(np.array([0, 500], "m8[ms]"))
     ['0.0 s', '0.5 s']
     """
     if not hasattr(values, "__array__") or _dimensions(values) == 0:
@@ -65,7 +65,7 @@ def listed(values: object) -> object:
     return rows if array.ndim > 1 else rows[0]
 
 
-Listed = BeforeValidator(listed)
+Listed = BeforeValidator(as_list)
 """Pydantic annotation of a field of several numbers, which then also accepts arrays and columns."""
 
 

@@ -99,14 +99,14 @@ class Segments:
             coefficients=np.insert(self.coefficients, piece + 1, table, axis=0),
         )
 
-    def stretched(self, edges: Array) -> Segments:
+    def stretch_to(self, edges: Array) -> Segments:
         """Return the same pieces between other edges, each stretched to fit.
 
         Examples
         --------
         >>> import numpy as np
         >>> line = piecewise_linear(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0, 0.0]))
-        >>> line.stretched(np.array([0.0, 0.5, 4.5])).evaluate(np.array([0.25, 2.5]))[0].tolist()
+        >>> line.stretch_to(np.array([0.0, 0.5, 4.5])).evaluate(np.array([0.25, 2.5]))[0].tolist()
         [0.5, 0.5]
         """
         stretch = np.diff(self.edges) / np.diff(edges)
@@ -121,7 +121,7 @@ class Segments:
     def in_time_along(self, time: Array, distance: Array) -> Segments:
         """Return the same heights against time where a distance has been travelled at each time (s, m; both ascend)."""
         split = self.split_at(distance)
-        return split.stretched(np.interp(split.edges, distance, time))
+        return split.stretch_to(np.interp(split.edges, distance, time))
 
     def times(self, factor: float) -> Segments:
         """Return the same pieces with heights multiplied by a factor (1)."""

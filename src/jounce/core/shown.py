@@ -14,7 +14,7 @@ from typing import Any
 from jounce.core.display import display_unit
 from jounce.core.results import marks_of, tables_of
 from jounce.core.tables import TextTable
-from jounce.core.text import shortened, visible
+from jounce.core.text import shorten, visible
 
 _FIRST, _LONGEST_CELL, _LONGEST = 20, 160, 8000  # rows; characters of a cell; characters of all
 _STYLE = (
@@ -91,7 +91,7 @@ def _cells(row: Sequence[str], *, right: bool) -> Iterator[str]:
 
 
 def _text(text: str) -> str:
-    return escape(visible(shortened(text, _LONGEST_CELL)))
+    return escape(visible(shorten(text, _LONGEST_CELL)))
 
 
 def _more(value: Any) -> str:
@@ -109,17 +109,17 @@ def _summary(kind: Any) -> str:
 def _words(kind: Any) -> dict[str, str]:
     """What the class says of each of its attributes, with the unit."""
     lines = (inspect.getdoc(kind) or "").partition("Attributes\n----------\n")[2].split("\n")
-    found: dict[str, list[str]] = {}
+    texts: dict[str, list[str]] = {}
     names: list[str] = []
     for line in lines:
         if line and not line.startswith(" "):
             if set(line) <= {"-"}:  # the next part
                 break
             names = [name.strip() for name in line.partition(" :")[0].split(",")]
-            found |= {name: [] for name in names}
+            texts |= {name: [] for name in names}
         for name in names if line.startswith(" ") else ():
-            found[name].append(line.strip())
-    return {name: re.sub(r"``?", "", " ".join(words)) for name, words in found.items()}
+            texts[name].append(line.strip())
+    return {name: re.sub(r"``?", "", " ".join(words)) for name, words in texts.items()}
 
 
 def _rows(value: Any) -> Iterator[Row]:
@@ -127,22 +127,22 @@ def _rows(value: Any) -> Iterator[Row]:
     fields = getattr(type(value), "model_fields", None)
     if fields is not None:
         for name, field in fields.items():
-            yield from _described(name, getattr(value, name), field)
+            yield from _field_rows(name, getattr(value, name), field)
         return
     kind: Any = type(value)
     words = _words(kind)
-    for one in dataclasses.fields(value):
-        if not one.name.startswith("_"):
-            yield one.name, _brief(getattr(value, one.name)), words.get(one.name, "")
+    for attribute in dataclasses.fields(value):
+        if not attribute.name.startswith("_"):
+            yield attribute.name, _brief(getattr(value, attribute.name)), words.get(attribute.name, "")
 
 
-def _described(path: str, value: Any, field: Any) -> Iterator[Row]:
+def _field_rows(path: str, value: Any, field: Any) -> Iterator[Row]:
     from jounce.core.units import Unit
 
     fields = getattr(type(value), "model_fields", None)
     if fields is not None:
         for name, inner in fields.items():
-            yield from _described(f"{path}.{name}", getattr(value, name), inner)
+            yield from _field_rows(f"{path}.{name}", getattr(value, name), inner)
         return
     if value is None or value in ((), "", {}) or path == "schema_":
         return
@@ -201,17 +201,17 @@ def _brief(value: Any) -> str:
     if hasattr(value, "shape"):
         return f"{' x '.join(map(str, value.shape))} numbers"
     if isinstance(value, Mapping):
-        return _listed([str(name) for name in value])
+        return _join_names([str(name) for name in value])
     if isinstance(value, (list, tuple)):
         if all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
             return _series(value)
         if all(isinstance(item, str) for item in value):
-            return _listed(list(value))
+            return _join_names(list(value))
         return f"{len(value)} x {type(value[0]).__name__}"
     return type(value).__name__ if dataclasses.is_dataclass(value) else str(value)
 
 
-def _listed(names: list[str]) -> str:
+def _join_names(names: list[str]) -> str:
     return ", ".join(names) if len(names) <= 4 else f"{', '.join(names[:3])} and {len(names) - 3} more"
 
 

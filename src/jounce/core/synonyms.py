@@ -47,10 +47,10 @@ SYNONYMS: dict[str, tuple[str, ...]] = {
 """Names in other programs and books, in lower case, with the names in jounce."""
 
 
-def meant(name: str, options: Iterable[str]) -> str:
+def suggestion(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``Did you mean 'x' or 'y'?``; an empty text when nothing is near.
 
-    >>> meant("psd", ["power_spectrum", "road_psd", "Rig"]), meant("RIG", ["Rig", "load"])
+    >>> suggestion("psd", ["power_spectrum", "road_psd", "Rig"]), suggestion("RIG", ["Rig", "load"])
     ("Did you mean 'power_spectrum' or 'road_psd'?", "Did you mean 'Rig'?")
     """
     spelt = {option.lower(): option for option in options}

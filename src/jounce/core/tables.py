@@ -50,11 +50,11 @@ class TextTable:
         for number, widths in enumerate(self.parts(width)):
             if number:
                 yield ""
-            yield from self._written(self.header, widths, is_head=True)
+            yield from self._row_lines(self.header, widths, is_head=True)
             yield _GAP.join("─" * wide for wide in widths.values())
             for row in self.rows[:most]:
                 if any(row[k] for k in widths):
-                    yield from self._written(row, widths)
+                    yield from self._row_lines(row, widths)
 
     def parts(self, width: int) -> list[dict[int, int]]:
         """Choose columns and their widths for each part.
@@ -66,16 +66,16 @@ class TextTable:
         every = range(len(self.header))
         least = [self._width(k, is_least=True) for k in every]
         if not self.header or _sum(least) <= width:
-            return [self._widened(every, least, width)] if self.header else []
+            return [self._share_width(every, least, width)] if self.header else []
         names = [0, *(k for k in every[1:] if self.header[k] == "unit")]
         parts = [list(names)]
         for k in every:
             if k not in names and len(parts[-1]) > len(names) and _sum([least[j] for j in (*parts[-1], k)]) > width:
                 parts.append(list(names))
             parts[-1] += [k] if k not in names else []
-        return [self._widened(part, least, width) for part in parts]
+        return [self._share_width(part, least, width) for part in parts]
 
-    def _widened(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
+    def _share_width(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
         """Share the remaining width among the columns that can use it; without any, shorten the names of rows."""
         wanted = [self._width(k, is_least=False) - least[k] for k in columns]
         left = width - _sum([least[k] for k in columns])
@@ -91,18 +91,18 @@ class TextTable:
         head = self.header[column].split() if is_least else [self.header[column]]
         return max((width_of(text) for cell in (*head, *cells) for text in cell.splitlines()), default=1)
 
-    def _written(self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False) -> Iterator[str]:
+    def _row_lines(self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False) -> Iterator[str]:
         """Write one row; a head ends at its line, other rows begin together."""
-        columns = {k: _wrapped(cells[k], wide) for k, wide in widths.items()}
+        columns = {k: _wrap(cells[k], wide) for k, wide in widths.items()}
         height = max(map(len, columns.values()))
         for k, lines in columns.items():
             empty = [""] * (height - len(lines))
             columns[k] = [*empty, *lines] if is_head else [*lines, *empty]
         for at in range(height):
-            aligned = [self._aligned(columns[k][at], k, wide) for k, wide in widths.items()]
+            aligned = [self._align(columns[k][at], k, wide) for k, wide in widths.items()]
             yield _GAP.join(aligned).rstrip()
 
-    def _aligned(self, text: str, column: int, width: int) -> str:
+    def _align(self, text: str, column: int, width: int) -> str:
         room = " " * (width - width_of(text))
         return text + room if column in self.texts else room + text
 
@@ -118,7 +118,7 @@ def width_of(text: str) -> int:
     return sum(2 if unicodedata.east_asian_width(sign) in "FW" else not unicodedata.combining(sign) for sign in text)
 
 
-def _wrapped(text: str, width: int) -> list[str]:
+def _wrap(text: str, width: int) -> list[str]:
     lines = visible(text).splitlines() or [""]
     return [part for line in lines for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]]
 

@@ -29,7 +29,7 @@ ESCAPES = "jounce-escapes"
 """How a stream that is not Unicode shows what it cannot encode: name of the error handler."""
 
 
-def _escaped(error: UnicodeError) -> tuple[str, int]:
+def _escape(error: UnicodeError) -> tuple[str, int]:
     """Letters and digits, which make names, as Python writes them, or two files would look like one; signs as ``?``."""
     assert isinstance(error, UnicodeEncodeError)
     text = error.object[error.start : error.end]
@@ -37,7 +37,7 @@ def _escaped(error: UnicodeError) -> tuple[str, int]:
     return "".join("?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)), error.end
 
 
-codecs.register_error(ESCAPES, _escaped)
+codecs.register_error(ESCAPES, _escape)
 
 
 def encodable(text: str, encoding: str) -> str:
@@ -49,10 +49,10 @@ def encodable(text: str, encoding: str) -> str:
     return text if encoding.startswith("utf") else text.encode(encoding, ESCAPES).decode(encoding)
 
 
-def quoted(text: str) -> str:
+def quote(text: str) -> str:
     r"""Any text as a string valid in TOML and JSON; halves of characters become ``\ufffd``.
 
-    >>> quoted('2" spring\x7f'), quoted("µ \ud800")
+    >>> quote('2" spring\x7f'), quote("µ \ud800")
     ('"2\\" spring\\u007f"', '"µ \ufffd"')
     """
     whole = re.sub("[\ud800-\udfff]", "\ufffd", text)
@@ -68,10 +68,10 @@ def in_one_line(text: str) -> str:
     return visible(" ".join(text.split()))
 
 
-def shortened(text: str, most: int) -> str:
+def shorten(text: str, most: int) -> str:
     """The text, or its beginning with the number of characters if it has more than ``most``.
 
-    >>> shortened("x" * 9, 9), shortened("x" * 5000, 3)
+    >>> shorten("x" * 9, 9), shorten("x" * 5000, 3)
     ('xxxxxxxxx', 'xxx... (5000 characters)')
     """
     return text if len(text) <= most else f"{text[:most]}... ({len(text)} characters)"
@@ -90,29 +90,33 @@ def place_in(where: str, place: str) -> str:
     return f"{where}: {place}" if where else place
 
 
-def guarded(text: str) -> str:
+def guard_formula(text: str) -> str:
     """A text as a cell of CSV, with a ``'`` in front if a spreadsheet would run it as a formula.
 
-    >>> guarded("=1+1"), guarded("-5 kg"), guarded("'=1+1"), guarded("front"), unguarded(guarded("'=1+1"))
-    ("'=1+1", "'-5 kg", "''=1+1", 'front', "'=1+1")
+    >>> guard_formula("=1+1"), guard_formula("-5 kg"), guard_formula("'=1+1"), guard_formula("front")
+    ("'=1+1", "'-5 kg", "''=1+1", 'front')
     """
     return f"'{text}" if _FORMULA.match(text) else text
 
 
-def unguarded(text: str) -> str:
-    """The text before `guarded`; others unchanged."""
+def unguard_formula(text: str) -> str:
+    """The text before `guard_formula`; others unchanged.
+
+    >>> unguard_formula(guard_formula("'=1+1"))
+    "'=1+1"
+    """
     return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
 
 
-def guarded_row(row: Iterable[Any]) -> list[Any]:
+def guard_row(row: Iterable[Any]) -> list[Any]:
     r"""Cells of a row of CSV, those that are texts guarded; ``\r``, which is not quoted, would end the row."""
-    return [guarded(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row]
+    return [guard_formula(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row]
 
 
-def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
+def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
     """Lines of a table: the first ``left`` columns flush left, the others flush right.
 
-    >>> aligned([["", "N/m"], ["spring", "22730"], ["tyre", "9.1"]])
+    >>> align_columns([["", "N/m"], ["spring", "22730"], ["tyre", "9.1"]])
     ['          N/m', 'spring  22730', 'tyre      9.1']
     """
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]

@@ -27,11 +27,11 @@ def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: s
             if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
                 break
             _drop_comments_above(container, place)
-    kept = ""
+    comment = ""
     if isinstance(item, InlineTable):
-        kept, words = item.trivia.comment.removeprefix("#").strip(), f"{path[-1]} {words}"
+        comment, words = item.trivia.comment.removeprefix("#").strip(), f"{path[-1]} {words}"
     gap = item.trivia.comment_ws or "  "
-    item.comment(in_one_line(f"{kept}; {words}" if kept else words))
+    item.comment(in_one_line(f"{comment}; {words}" if comment else words))
     item.trivia.comment_ws = gap  # which the comment made one blank
 
 

@@ -13,7 +13,7 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from jounce.core.errors import DescriptionError, as_found
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase, Phrases
 from jounce.core.remembered import Recent
 
@@ -76,7 +76,7 @@ def _plain_spelling(unit: str) -> str:
 
 
 @lru_cache(maxsize=512)
-def _parsed(unit: str) -> Any:
+def _parse_unit(unit: str) -> Any:
     """The library's unit of a text; ValueError if it is none, or far too long or raised too high."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
     if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
@@ -100,7 +100,7 @@ def is_unit(text: str) -> bool:
     if text in _GRAVITY or text in _WHOLE or text in _KNOWN:
         return True
     try:
-        _parsed(text)
+        _parse_unit(text)
     except ValueError:
         return False
     return any(letter.isalpha() or letter in "%°" for letter in text)
@@ -153,7 +153,7 @@ def _factor_of_library(unit: str, si: str) -> float:
     registry = _registry()
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
     turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")
-    parsed = _parsed(_WHOLE.get(unit, unit) if turning else unit)
+    parsed = _parse_unit(_WHOLE.get(unit, unit) if turning else unit)
     wrong = f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}"
     try:
         factor, thrice = (float(registry.Quantity(number, parsed).to(target).magnitude) for number in (1.0, 3.0))
@@ -221,7 +221,7 @@ def base_units(si: str) -> dict[str, int]:
     if si in _DIMENSIONLESS:
         return {}
     words = {"kilogram": "kg", "meter": "m", "second": "s", "ampere": "A", "kelvin": "K", "radian": "rad"}
-    powers = _registry().Quantity(1.0, _parsed(si)).to_base_units().units._units
+    powers = _registry().Quantity(1.0, _parse_unit(si)).to_base_units().units._units
     return {words[str(name)]: int(power) for name, power in sorted(powers.items())}
 
 
@@ -240,9 +240,9 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
         return value
     if isinstance(value, str):
         return to_si(value, si, where=where)
-    found = "None" if value is None else value
+    given = "None" if value is None else value
     refusal = DescriptionError(
-        "not a physical value", where=where, found=found, allowed=Phrase("'<number> <unit of {si}>'", si=si)
+        "not a physical value", where=where, found=given, allowed=Phrase("'<number> <unit of {si}>'", si=si)
     )
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise refusal
@@ -361,7 +361,7 @@ def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> fl
     number = to_si(value, si, where=where)
     if number < 0.0 or (number == 0.0 and not zero):
         limits = Unit(si, at_least=0.0) if zero else Unit(si, above=0.0)
-        raise DescriptionError("out of range", where=where, found=value, allowed=limits.allowed)
+        raise DescriptionError("out of range", where=where, found=value, allowed=limits.range_text)
     return number
 
 
@@ -391,9 +391,9 @@ class Unit:
         try:
             number = to_si(value, self.si)
         except DescriptionError as error:
-            raise misplaced((), error.what, found=as_found(value), allowed=error.allowed, hint=error.hint) from None
+            raise error_at((), error.what, found=as_found(value), allowed=error.allowed, hint=error.hint) from None
         if not self._is_allowed(number):
-            raise misplaced((), "out of range", found=as_found(value), allowed=self.allowed)
+            raise error_at((), "out of range", found=as_found(value), allowed=self.range_text)
         return number
 
     @property
@@ -403,7 +403,7 @@ class Unit:
         return least, math.inf if self.at_most is None else self.at_most
 
     @property
-    def allowed(self) -> str:
+    def range_text(self) -> str:
         """The limits in words, with their unit; empty without limits."""
         bounds = [
             ("above {bound:g}", self.above),

@@ -43,10 +43,10 @@ class Stage(Phrase):
         return progress
 
 
-def counted(template: str, which: int, count: int, /, **fields: Any) -> Stage:
+def progress_through(template: str, which: int, count: int, /, **fields: Any) -> Stage:
     """Progress through several items: ``{which}`` of ``{count}``; the named item is not finished yet.
 
-    >>> print(progress := counted("fitting {which} of {count}: {name}", 4, 10, name="a.csv"), progress.share)
+    >>> print(progress := progress_through("fitting {which} of {count}: {name}", 4, 10, name="a.csv"), progress.share)
     fitting 4 of 10: a.csv 0.3
     """
     return Stage(template, share=(which - 1) / max(1, count), which=which, count=count, **fields)
@@ -131,12 +131,12 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def told(what: str | Callable[[], str]) -> Iterator[None]:
+def report_work(what: str | Callable[[], str]) -> Iterator[None]:
     """Report the current work and its duration until it is done.
 
     A function returns the text for each report, such as the progress; it is called from another thread.
 
-    >>> with told("compiling the model (once on this machine)"):
+    >>> with report_work("compiling the model (once on this machine)"):
     ...     pass   # done at once: nothing is reported
     """
     if _here.waits:  # part of reported work
@@ -171,7 +171,7 @@ def heard_by(listener: Callable[[str | None], None]) -> Iterator[None]:
 _watchers: list[Callable[[Mapping[str, Any]], None]] = []
 
 
-def reached(numbers: Callable[[], Mapping[str, Any]]) -> None:
+def report_progress(numbers: Callable[[], Mapping[str, Any]]) -> None:
     """Report the progress of a search to a listener; the numbers are computed only for one."""
     for watcher in _watchers:
         watcher(numbers())
@@ -182,7 +182,7 @@ def watched_by(watcher: Callable[[Mapping[str, Any]], None]) -> Iterator[None]:
     """Call a function with the values of every step of a search in the block.
 
     >>> with watched_by(lambda numbers: print(numbers["objective"])):
-    ...     reached(lambda: {"objective": 0.5})
+    ...     report_progress(lambda: {"objective": 0.5})
     0.5
     """
     _watchers.append(watcher)

@@ -31,7 +31,7 @@ def workbook_of(sheets: Mapping[str, Iterable[Sequence[float | str]]]) -> bytes:
         sheet._writer.write_top()
         for row in rows:
             sheet.append([_cell(openpyxl, sheet, value) for value in row])
-    return saved(book)
+    return workbook_bytes(book)
 
 
 def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
@@ -41,16 +41,16 @@ def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
     return cell
 
 
-def wrapped(text: str) -> list[str]:
+def split_text(text: str) -> list[str]:
     """Split a text into pieces that fit into a cell.
 
-    >>> [len(piece) for piece in wrapped("x" * 40_000)]
+    >>> [len(piece) for piece in split_text("x" * 40_000)]
     [32767, 7233]
     """
     return [text[i : i + LONGEST_TEXT] for i in range(0, len(text), LONGEST_TEXT)]
 
 
-def saved(book: Any) -> bytes:
+def workbook_bytes(book: Any) -> bytes:
     """Return a workbook as bytes, without creation times; paths are relative.
 
     All of it is made in memory: openpyxl itself writes sheets into files in ``TMPDIR``, does not notice some errors of

@@ -93,7 +93,7 @@ def replacing(file: Path, *, force: bool = True, most: int = 0o777, lasting: boo
     A file that is replaced keeps its mode, without what ``most`` does not allow. A ``lasting`` one is on the disk
     before it gets its name: where the power fails, the old or the new is there, whole.
     """
-    with _told(file, "the file cannot be written"):
+    with _as_output_error(file, "the file cannot be written"):
         temporary = temporary_beside(file, most=most)
         try:
             yield temporary
@@ -138,7 +138,7 @@ def temporary_beside(file: Path, *, most: int = 0o777) -> Path:
     The system itself applies the user's mask as it makes the file: to read the mask, it would have to be set, which
     other threads would see. The file is never open to more people than the one whose place it takes.
     """
-    with _told(file, "the file cannot be written"):
+    with _as_output_error(file, "the file cannot be written"):
         _sweep(file.parent)
         suffix = file.suffix if len(file.suffix) <= _LONGEST_SUFFIX else ""
         temporary = file.parent / f"{_own_prefix()}{secrets.token_hex(4)}{suffix}"
@@ -203,10 +203,10 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     >>> [file.name for file in made]
     ['notes.txt', '01.csv']
     """
-    root = resolved(folder)
+    root = resolve_path(folder)
     files = {root / name: content for name, content in contents.items()}
     _check_room(root, files, force=force)
-    with _told(root, "the folder cannot be written"):
+    with _as_output_error(root, "the folder cannot be written"):
         is_there = root.is_dir()
         # Beside what is to be moved: in a folder that is there, which may be a disk of its own.
         place = root if is_there else root.parent
@@ -227,14 +227,14 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                 with holding(root):
                     _check_room(root, files, force=force)  # another process may have been here
                     _exchange(root, aside, list(contents))
-            elif not _renamed(built, root):
+            elif not _move_into_place(built, root):
                 return write_files(folder, contents, force=force)  # another process has put a folder there meanwhile
         finally:
             _remove(aside)
     return [Path(folder) / name for name in contents]
 
 
-def resolved(path: Path | str, *, home: bool = False) -> Path:
+def resolve_path(path: Path | str, *, home: bool = False) -> Path:
     """Return a path in full, without links; with ``home`` its ``~`` is that of a user. Refuse invalid paths."""
     try:
         place = (Path(path).expanduser() if home else Path(path)).resolve()
@@ -249,8 +249,8 @@ def resolved(path: Path | str, *, home: bool = False) -> Path:
 
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
     """Return the path of a folder; refuse one that is not empty (without ``force``), or a file of that name."""
-    folder = resolved(out, home=True)
-    with _told(folder, "the folder cannot be written"):
+    folder = resolve_path(out, home=True)
+    with _as_output_error(folder, "the folder cannot be written"):
         if folder.exists() and not folder.is_dir():
             raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
         if folder.is_dir() and not force and not is_empty(folder):
@@ -265,7 +265,7 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
         raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")
     for file in files:
-        if not resolved(file).is_relative_to(root):
+        if not resolve_path(file).is_relative_to(root):
             raise OutputError("the file would lie outside the folder", where=str(root), found=str(file))
         if file.is_dir():
             raise OutputError("a file cannot be written where a folder is", where=str(file))
@@ -275,7 +275,7 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
             check_writable(file)
 
 
-def _renamed(built: Path, root: Path) -> bool:
+def _move_into_place(built: Path, root: Path) -> bool:
     """Move a folder to its place; return whether it was free, or taken by another process meanwhile."""
     try:
         built.rename(root)
@@ -324,7 +324,7 @@ def _settle(aside: Path) -> bool:
     root = aside.parent.resolve()
     for file, target in zip(files, targets, strict=True):
         with contextlib.suppress(OSError, OutputError):
-            is_inside = resolved(target.parent).is_relative_to(root)
+            is_inside = resolve_path(target.parent).is_relative_to(root)
             if is_inside and not os.path.lexists(target):  # a file may have been written there since
                 target.parent.mkdir(parents=True, exist_ok=True)
                 file.rename(target)
@@ -344,7 +344,7 @@ def _remove(aside: Path) -> None:
 
 
 @contextmanager
-def _told(where: Path, what: str) -> Iterator[None]:
+def _as_output_error(where: Path, what: str) -> Iterator[None]:
     """Turn what the system refuses into the product's own error."""
     try:
         yield
@@ -370,7 +370,7 @@ def working_folder() -> Iterator[Path]:
         yield folder
     except OSError as error:
         if error.filename is None or Path(os.fsdecode(error.filename)).is_relative_to(folder):
-            with _told(folder, "a temporary file cannot be written"):
+            with _as_output_error(folder, "a temporary file cannot be written"):
                 raise
         raise
     finally:
@@ -384,7 +384,7 @@ def lasting_folder() -> Path:
     True
     """
     place = Path(tempfile.gettempdir())
-    with _told(place, "no folder for temporary files can be made"):
+    with _as_output_error(place, "no folder for temporary files can be made"):
         _sweep(place)
         return Path(tempfile.mkdtemp(prefix=_own_prefix()))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from jounce.core.description import schema_told
+from jounce.core.description import schema_named_in
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.operation import Count, File, MadeBy, Mark, Number, Texts, operation
@@ -95,7 +95,7 @@ def rig_or_study_in_python(vehicle: str, changes: Mapping[str, Any] | None = Non
 
 
 def _is_study(vehicle: str) -> bool:
-    return schema_told(Path(vehicle)).startswith(_SCHEMA)
+    return schema_named_in(Path(vehicle)).startswith(_SCHEMA)
 
 
 def check_task(vehicle: str, out: Path | None, **given: Any) -> None:

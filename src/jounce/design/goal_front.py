@@ -16,9 +16,9 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.types import Array
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.design.cases import Case
 from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.mixtures import MOST_GOALS, achievement, across_gap, mixtures, undominated_rows
@@ -87,7 +87,7 @@ class DesignFront(Plain):
         present = [*self.present.values(), *self.start.values()]
         rows = [["", *heads], ["as it is", *(f"{value:.5g}" for value in present)]]
         rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(self.count)]
-        return "\n".join([f"Best designs on {self.driven}", *aligned(rows), *map(str, self.findings)])
+        return "\n".join([f"Best designs on {self.driven}", *align_columns(rows), *map(str, self.findings)])
 
 
 def design_front(  # noqa: PLR0913 - each is a choice of its own
@@ -171,7 +171,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
     race = _GoalSearch(problem, names)
     tried: list[Array] = []
-    with told(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
+    with report_work(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
         settled, span = _search(race, points, tried)
     sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
     goal_rows = np.array([race.goals_at(values) for values in sound])

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole
 from jounce.core.errors import as_found
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import NonNegativeLength, Unit
 from jounce.kinematics.clearances import Rim, Solid
@@ -65,11 +65,11 @@ class FreePoint(Description):
             )
         if self.along is not None:
             if self.box is not None:
-                raise misplaced(("box",), "a line has no box", allowed="within, to either side along it")
+                raise error_at(("box",), "a line has no box", allowed="within, to either side along it")
             if not any(self.along) and not isinstance(self.along, str):
-                raise misplaced(("along",), "not a direction", found=as_found([0, 0, 0]))
+                raise error_at(("along",), "not a direction", found=as_found([0, 0, 0]))
             if self.point.endswith("]"):
-                raise misplaced(("along",), "one coordinate moves along its axis", allowed="a point of three")
+                raise error_at(("along",), "one coordinate moves along its axis", allowed="a point of three")
         return self
 
 
@@ -108,13 +108,13 @@ class KinematicTarget(Description):
         limits = self.at_least is not None or self.at_most is not None
         if len(wanted) + limits != 1:
             what = Phrase("give one of value, values, or limits (at_least, at_most) for {name}", name=self.quantity)
-            raise misplaced((), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none"))
+            raise error_at((), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none"))
         if self.at is not None and self.over is not None:
-            raise misplaced(("over",), "a target stands at one pose or over a range", found=Phrase("both at and over"))
+            raise error_at(("over",), "a target stands at one pose or over a range", found=Phrase("both at and over"))
         if self.values is not None and self.over is None:
-            raise misplaced(("values",), "values are those of a curve; allowed with over")
+            raise error_at(("values",), "values are those of a curve; allowed with over")
         if self.slope and (self.over is None or self.values is not None):
-            raise misplaced(("slope",), "the slope of a curve needs over, and one value")
+            raise error_at(("slope",), "the slope of a curve needs over, and one value")
         return self
 
 
@@ -166,11 +166,11 @@ class KinematicStudy(Description):
             raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
         for name in self.rigs or ():
             if not re.fullmatch(NAME, name):
-                raise misplaced(("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -")
+                raise error_at(("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -")
         if self.rigs is None and self.vehicles is not None:
-            raise misplaced(("vehicles",), "only several rigs have several", allowed="a table [vehicle]")
+            raise error_at(("vehicles",), "only several rigs have several", allowed="a table [vehicle]")
         if self.rigs is not None and self.vehicle is not None:
-            raise misplaced(("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]")
+            raise error_at(("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]")
         return self
 
     def named(self) -> dict[str, str]:

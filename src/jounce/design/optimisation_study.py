@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole, line_of, read_description
 from jounce.core.errors import JounceError, at_line, below
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.units import Unit
 from jounce.design.cases import Case, cases_problem
 from jounce.design.goal_front import DesignFront, design_front
@@ -53,9 +53,9 @@ class OptimisationStudy(Description):
     @model_validator(mode="after")
     def _wants_one_thing(self) -> OptimisationStudy:
         if (self.objective is None) == (self.front is None):
-            raise misplaced(("objective",), "give either objective, or front = [two metrics or more]")
+            raise error_at(("objective",), "give either objective, or front = [two metrics or more]")
         if self.shown is not None and len(self.front or ()) != _PAIR:
-            raise misplaced(("shown",), "is a metric beside a front of two; those of a larger front are all shown")
+            raise error_at(("shown",), "is a metric beside a front of two; those of a larger front are all shown")
         return self
 
 

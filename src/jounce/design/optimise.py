@@ -14,9 +14,9 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.types import Array
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.design.cases import Case, cases_problem
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, StationaryEvaluator, design_problem
 from jounce.identify.fit_problem import Bounds
@@ -412,7 +412,7 @@ class Optimisation(Plain):
             rows.append([words, f"{limit.start:.5g}", f"{limit.value:.5g}", limit.unit, active])
         end = "converged" if self.converged else "did not converge"
         head = f"Best design on {self.driven}: {end}, {self.evaluations} designs"
-        return "\n".join([head, *(line.rstrip() for line in aligned(rows)), *map(str, self.findings)])
+        return "\n".join([head, *(line.rstrip() for line in align_columns(rows)), *map(str, self.findings)])
 
     @property
     def values(self) -> dict[str, float]:
@@ -509,7 +509,7 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     """
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
     problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
-    with told(lambda: f"searching the best design: {problem.evaluations} judged"):
+    with report_work(lambda: f"searching the best design: {problem.evaluations} judged"):
         result = search(problem, starts=starts)
         check_kept(problem, result)
         return outcome(problem, result)

@@ -15,9 +15,9 @@ from jounce.core.operation import Count, Mark, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.types import Array
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.design.cases import Case
 from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
 from jounce.design.options import FREE, LIMITS, RANDOM_ROAD, ROAD_BAND, ROAD_SPEED
@@ -212,7 +212,7 @@ class ParetoFront(Plain):
             for mark in self.marks
         ]
         head = f"From {self.heading} on {self.driven}"
-        return "\n".join([head, *aligned(rows), *beside, *map(str, self.findings)])
+        return "\n".join([head, *align_columns(rows), *beside, *map(str, self.findings)])
 
 
 @operation(
@@ -307,7 +307,9 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     soft = task_of(rig, free, comfort, constraints, chosen, cases, spread, samples, seed, more=[holding, travel])
     firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
     designs: list[Array] = []
-    with told(lambda: f"searching design {len(designs) + 1} of {points} of the front: {soft.evaluations} judged"):
+    with report_work(
+        lambda: f"searching design {len(designs) + 1} of {points} of the front: {soft.evaluations} judged"
+    ):
         table, converged = _front(soft, firm, holding, points, designs)
     whole = {
         name: np.array([soft.whole(text, values)[0] for values in table])

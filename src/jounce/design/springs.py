@@ -14,7 +14,7 @@ from jounce.core.operation import MadeBy, Number, Switch, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.units import to_si
 from jounce.parts import QuarterCar, Rig, as_rig
 from jounce.parts.dampers import LinearDamper
@@ -144,7 +144,7 @@ class SpringDesign(Shown):
                 rows.append(
                     [wheel.place or "wheel", state, *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers))]
                 )
-        return "\n".join([*aligned(rows), *map(str, self.findings)])
+        return "\n".join([*align_columns(rows), *map(str, self.findings)])
 
     @property
     def changes(self) -> dict[str, float]:

@@ -237,8 +237,8 @@ def read_calibration(
     given = dict(columns) if isinstance(columns, Mapping) else {}
     reference, recorded = _points_in(table, given, str(file))
     unit, electrical = _quantity_of(reference), _recorded_unit(recorded)
-    x = reference.scaled(conversion_factor(reference.unit, unit))
-    y = recorded.scaled(1.0 if electrical == "1" else conversion_factor(recorded.unit, electrical))
+    x = reference.times(conversion_factor(reference.unit, unit))
+    y = recorded.times(1.0 if electrical == "1" else conversion_factor(recorded.unit, electrical))
     if unit == "rad":
         x, unit = np.round(STANDARD_GRAVITY * np.cos(x), 12), "m/s^2"  # 90 deg is 0, not 6e-16 of it
     return fit_calibration(x, y, unit=unit, recorded_unit=electrical, name=file.name)

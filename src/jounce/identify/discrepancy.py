@@ -272,7 +272,7 @@ class _Run:
         time = track.edges * self.speed / (self.speed + speed)
         into = np.clip((track.edges - begin) / (end - begin), 0.0, 1.0)
         time = time + slowing * (0.5 * into**2 * (end - begin) + np.maximum(track.edges - end, 0.0))
-        return track.stretched(time)
+        return track.stretch_to(time)
 
     def _command(self, given: Segments, inputs: Mapping[str, float]) -> Segments:
         """Force beside the strut: one that was measured, and what the last simulation says of those in doubt."""
@@ -344,7 +344,7 @@ class ModelErrorProblem:
     ) -> None:  # fmt: skip
         self.free, self.settings, self.beside = tuple(free), settings, found_beside or {}
         doubt = settings.doubts or Doubt()
-        self.doubt = doubt = doubt.changed(start=max(doubt.start, self.beside.get(START, 0.0)))
+        self.doubt = doubt = doubt.with_fields(start=max(doubt.start, self.beside.get(START, 0.0)))
         self.align, self.tolerance = settings.fits_lags, settings.tolerance
         prepared = [prepare_trial(trial, self.free, settings) for trial in trials]
         prepared = [

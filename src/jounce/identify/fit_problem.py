@@ -23,7 +23,7 @@ from jounce.core.shown import Shown
 from jounce.core.text import place_in
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.core.waiting import reached
+from jounce.core.waiting import report_progress
 from jounce.identify.lags import Shifted, best_lag
 from jounce.identify.settings import UpdateSettings
 from jounce.kernel.engine import Status
@@ -102,7 +102,7 @@ class FitTrial(Shown):
         for name in map(str, self.measured.data_vars):
             sensor = sensors.get(name, Sensor())
             if sensor.datum in (None, "rest"):
-                sensors[name] = sensor.changed(datum="free offset")
+                sensors[name] = sensor.with_fields(datum="free offset")
         return replace(self, offset=offset, sensors=sensors)
 
     def __post_init__(self) -> None:
@@ -355,7 +355,7 @@ class UpdateProblem:
         if self._last is None or self._last[0] != key:
             self._last = (key, self._evaluate(np.asarray(scaled, dtype=float)))
             self.evaluations += 1
-            reached(self._step)
+            report_progress(self._step)
         return self._last[1]
 
     def _step(self) -> dict[str, Any]:

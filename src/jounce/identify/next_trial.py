@@ -16,7 +16,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.seeds import is_whole
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.types import Array
 from jounce.identify.densities import Basis
 from jounce.identify.discrepancy import OBSERVATIONS, candidate_information, readings_of
@@ -109,7 +109,7 @@ class NextTrials(Plain, Shown):
             for one in self.candidates[:20]
         ]
         best = ", then ".join(one.name for one in self.series)
-        lines = [line.rstrip() for line in aligned(rows)]
+        lines = [line.rstrip() for line in align_columns(rows)]
         return "\n".join([*lines, f"one after the other: {best}", *map(str, self.findings)])
 
 

@@ -156,7 +156,7 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
 
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
     """The sensor with a low-pass filter at this corner (Hz)."""
-    return (sensor or Sensor()).changed(low_pass=corner)
+    return (sensor or Sensor()).with_fields(low_pass=corner)
 
 
 def nuisances_of(

@@ -68,4 +68,4 @@ def trial_on_running_belt(trial: FitTrial, passages: Passages) -> FitTrial:
     if time[0] + shift < 0.0:  # what was met before is longer ago than the loops that are run before
         shift += period * math.ceil(-(time[0] + shift) / period)
     shifted = trial.measured.assign_coords(time=("time", time + shift, trial.measured["time"].attrs))
-    return replace(trial, trial=driven.changed(duration=float(time[-1] + shift)), measured=shifted)
+    return replace(trial, trial=driven.with_fields(duration=float(time[-1] + shift)), measured=shifted)

@@ -67,4 +67,4 @@ def of_plain(table: Mapping[str, Any]) -> Finding:
 
 def sentence_of(finding: Finding, language: Language = "en") -> str:
     """Give a finding's sentence in a language, German numbers with a comma; the English one where it has no code."""
-    return finding.said(language, decimal="," if language == "de" else ".")
+    return finding.sentence(language, decimal="," if language == "de" else ".")

@@ -11,8 +11,8 @@ from typing import Any, Literal, Self
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, read_description
-from jounce.core.errors import DescriptionError, nearest, shown
-from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.errors import DescriptionError, nearest, show_value
+from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
 from jounce.core.units import Number, to_si
 from jounce.inspection.methods import METHODS, QUANTITIES
@@ -104,8 +104,8 @@ class Criterion(Description):
         name = table["quantity"]
         if name not in QUANTITIES:
             hint = nearest(name, QUANTITIES)
-            what = Phrase("unknown {kind} {name}", kind="quantity", name=shown(name))
-            raise misplaced(("quantity",), what, allowed=", ".join(QUANTITIES), hint=hint)
+            what = Phrase("unknown {kind} {name}", kind="quantity", name=show_value(name))
+            raise error_at(("quantity",), what, allowed=", ".join(QUANTITIES), hint=hint)
         if not isinstance(table.get("bands"), (list, tuple)):
             return table
         unit = cls._unit(table)
@@ -115,7 +115,7 @@ class Criterion(Description):
     def _without_gaps(self) -> Self:
         for i, band in enumerate(self.bands):
             if not band.start < band.end:
-                raise misplaced(
+                raise error_at(
                     ("bands", i),
                     Phrase(
                         "empty: from {limit_text} to {second_limit_text}",
@@ -131,9 +131,7 @@ class Criterion(Description):
             )
             names = f"{low.label!r} and {high.label!r}"
             text = f"{what} from {self._limit_text(ends[0])} to {self._limit_text(ends[1])}, between {names}"
-            raise misplaced(
-                ("bands", i), Phrase("{text}; each band must begin where the one before it ends", text=text)
-            )
+            raise error_at(("bands", i), Phrase("{text}; each band must begin where the one before it ends", text=text))
         return self
 
     def _limit_text(self, value: float) -> str:
@@ -251,13 +249,13 @@ class Limits(Description):
         for name in self.methods:
             if name not in METHODS:
                 hint = nearest(name, METHODS)
-                raise misplaced(("methods", name), "unknown method", allowed=", ".join(METHODS), hint=hint)
+                raise error_at(("methods", name), "unknown method", allowed=", ".join(METHODS), hint=hint)
         for group in ("conditions", "differences"):
             for name, criterion in getattr(self, group).items():
                 for i, method in enumerate(criterion.methods):
                     if method not in self.methods:
-                        what = Phrase("no limits of a method {name} in this file", name=shown(method))
-                        raise misplaced((group, name, "methods", i), what, allowed=", ".join(self.methods))
+                        what = Phrase("no limits of a method {name} in this file", name=show_value(method))
+                        raise error_at((group, name, "methods", i), what, allowed=", ".join(self.methods))
         return self
 
     @property

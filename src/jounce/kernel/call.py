@@ -27,7 +27,7 @@ from jounce.core.errors import JounceError
 from jounce.core.optional import MissingPackageError, require
 from jounce.core.sources import digest_of
 from jounce.core.turns import once
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
 from jounce.kernel.machine import IN_LLVM, MachineCode, features, machine_code, this_machine
@@ -217,7 +217,7 @@ def bitcode_from_sources(name: str) -> bytes:
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
-    with told(f"compiling the loop {name!r} (once on this machine)"), IN_LLVM:
+    with report_work(f"compiling the loop {name!r} (once on this machine)"), IN_LLVM:
         content = bitcode_of(name)
     write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content

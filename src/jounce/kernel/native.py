@@ -15,7 +15,7 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.kernel.apart import compile_in_child
 from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
 from jounce.kernel.call import Loop
@@ -96,7 +96,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # any failure: rebuild
             return _load(cached)
     once = f"in every process: {why}" if (why := why_not_kept()) else "once on this machine"
-    with told(f"compiling the model ({once})"), _without_garbage_collection():
+    with report_work(f"compiling the model ({once})"), _without_garbage_collection():
         content = compile_in_child(lambda: _compile_entry(make)) or _compile_entry(make)
         keep(key, content)
     return _load(content)

@@ -13,7 +13,7 @@ from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding, finding
-from jounce.core.text import guarded
+from jounce.core.text import guard_formula
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
 from jounce.kinematics.axle import TwoWheelAxle
@@ -424,6 +424,6 @@ def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) 
     for case in found["case"].to_numpy():
         for wheel in found["wheel"].to_numpy():
             forces: Any = found.sel(case=case, wheel=wheel)
-            label = guarded(str(case).replace('"', "'"))
+            label = guard_formula(str(case).replace('"', "'"))
             rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(forces[name])) for name in names)]))
     return "\n".join([*rows, ""])

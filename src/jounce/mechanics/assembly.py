@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError, unknown
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics.facts import Equation
@@ -73,7 +73,7 @@ class Assembly:
     freedom: int
 
 
-@remembered
+@once_per_object
 def _loops_of(model: Model) -> ca.Function:
     """Loop equations of a model, and the other results of :meth:`Evaluator.at`."""
     n_q, n_v = model.facts.counts

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from jounce.core.display import shown_as
+from jounce.core.display import display_unit_for
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 from jounce.core.files import existing_file, matching_files
 from jounce.core.operation import Switch, Texts, operation
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 
 if TYPE_CHECKING:
     from jounce.control import FmuVariable
@@ -132,7 +132,7 @@ def check_files(
 
     checked, every = [], matching_files([str(name) for name in given], "FILE")
     for k, file in enumerate(every, 1):
-        progress(counted("checking {which} of {count}: {name}", k, len(every), name=file))
+        progress(progress_through("checking {which} of {count}: {name}", k, len(every), name=file))
         shipped = None if file.exists() else rigs().get(str(file))
         checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
     return CheckedFiles(tuple(checked), parameters)
@@ -159,7 +159,7 @@ def _verdict(problems: int) -> str:
 def _in_chosen_unit(path: str, given: Mapping[str, Any]) -> tuple[str, str, str]:
     """Write a number of a rig in the unit that is chosen."""
     value = float(given["value"])
-    shown = shown_as(given["unit"], path, abs(value))
+    shown = display_unit_for(given["unit"], path, abs(value))
     return path, f"{value * shown.factor:.6g}", shown.name
 
 

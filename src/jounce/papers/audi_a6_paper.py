@@ -255,7 +255,7 @@ def _stand_results(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
     )
 
 
-def _signed(value: float) -> str:
+def _with_sign(value: float) -> str:
     return f"{value:+.3f}".replace("-", "−")
 
 
@@ -314,9 +314,9 @@ def _equations(car: jn.HalfCar) -> tuple[Erratum, ...]:
             "eq. (9)",
             "M_rear = −L_r F_rear",
             "M_rear = +L_r F_rear",
-            f"as printed the car is unstable: an eigenvalue of {_signed(printed.growth_rate)} 1/s and an equilibrium "
-            f"at a pitch of {printed.pitch_at_rest:.3f} rad; with the right sign the real parts are "
-            f"{_signed(slowest)} 1/s and below",
+            f"as printed the car is unstable: an eigenvalue of {_with_sign(printed.growth_rate)} 1/s and an "
+            f"equilibrium at a pitch of {printed.pitch_at_rest:.3f} rad; with the right sign the real parts are "
+            f"{_with_sign(slowest)} 1/s and below",
             printed.growth_rate,
             slowest,
             "1/s",

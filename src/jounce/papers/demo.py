@@ -19,7 +19,7 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
     Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. If a
     file exists nothing is written, unless ``force`` allows it.
     """
-    folder = (_numbered() if out is None else Path(out)) / "campaign"
+    folder = (_next_folder() if out is None else Path(out)) / "campaign"
     return virtual_bench(folder, force=force, progress=progress)
 
 
@@ -34,7 +34,7 @@ def run_demo(
     return file.parent.parent, jn.run_campaign(file, progress=progress)
 
 
-def _numbered() -> Path:
+def _next_folder() -> Path:
     """Make the first free numbered folder."""
     for number in count(1):
         folder = Path(f"demo-{number}")

@@ -372,8 +372,8 @@ class ProvingGround:
         """Return the results as plain data in SI, without signals."""
         keys = ("parameters", "nrmse", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
         fits = {
-            one.name: {law: {key: getattr(fit, key) for key in keys} for law, fit in one.laws.items()}
-            for one in self.dampers
+            specimen.name: {law: {key: getattr(fit, key) for key in keys} for law, fit in specimen.laws.items()}
+            for specimen in self.dampers
         }
         figures = {
             name: {
@@ -409,12 +409,12 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     progress("fit: damper laws")
     dampers, findings = measured_dampers()
     corner = lumped_corner(hmmwv_corner())
-    similitude, equivalent = _scaled(dampers, corner)
+    similitude, equivalent = _choose_scales(dampers, corner)
     tables = {damper.name: referred_to_wheel(damper.laws[LAW].damper, similitude) for damper in dampers}
     rigs = {name: _with_damper(corner.rig, table) for name, table in tables.items()} | {OWN: corner.rig}
     length = contact_length(corner.rig)
     measured = jn.load_road(COURSE)
-    course = enveloped(measured, length)
+    course = envelope(measured, length)
     runs: dict[str, xr.Dataset] = {}
     rows: dict[str, list[dict[str, float]]] = {name: [] for name in rigs}
     fastest = {damper.name: damper.peak_velocity / similitude.speed_ratio for damper in dampers}
@@ -432,7 +432,7 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
         corner,
         similitude,
         equivalent,
-        (*corner.derived, *_derived(similitude, equivalent, length)),
+        (*corner.derived, *_derived_values(similitude, equivalent, length)),
         rigs,
         {"as measured": measured, f"averaged over {1e3 * length:.0f} mm of contact": course},
         _dataset(rows, speeds),
@@ -461,7 +461,7 @@ def contact_length(rig: jn.QuarterCar) -> float:
     return float(2.0 * TYRE_RADIUS * (0.671 * np.sqrt(share) + 0.733 * share))
 
 
-def enveloped(course: jn.Road, length: float) -> jn.Table:
+def envelope(course: jn.Road, length: float) -> jn.Table:
     """Average a course over a contact ``length`` in m: what a tyre passes on of steps shorter than its contact."""
     end = course.end()
     edges = course.segments(end).edges
@@ -480,7 +480,7 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
     return np.asarray(area[piece] + way * (height[piece] + 0.5 * way * slope[piece]))
 
 
-def _scaled(dampers: tuple[StudyDamper, ...], corner: VehicleCorner) -> tuple[ForceScaling, dict[str, float]]:
+def _choose_scales(dampers: tuple[StudyDamper, ...], corner: VehicleCorner) -> tuple[ForceScaling, dict[str, float]]:
     """Choose the scales; return them with the damping ratios, also of the vehicle's own damper."""
     rig = corner.rig
     stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
@@ -534,7 +534,7 @@ def _with_damper(rig: jn.QuarterCar, table: dict[str, Any]) -> jn.QuarterCar:
     return jn.QuarterCar.from_table(plain)
 
 
-def _derived(similitude: ForceScaling, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
+def _derived_values(similitude: ForceScaling, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
     amplitude = f"at {1e3 * AMPLITUDE:g} mm of wheel travel and the frequency of body bounce"
     per_cycle = f"energy per cycle / (π ω x²) / 2√(k m), {amplitude}"
     stroke = "stroke of the vehicle's damper map over the largest measured one; velocities scale with it, time does not"

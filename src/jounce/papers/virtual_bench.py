@@ -316,9 +316,9 @@ def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float =
 def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None) -> SimulatedPass:
     """Return what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
     truth = truth or shipped_truth()
-    told = truth.passes.get(str(row.number))
-    if told is not None:
-        return SimulatedPass(told.speed, told.lag)
+    stated = truth.passes.get(str(row.number))
+    if stated is not None:
+        return SimulatedPass(stated.speed, stated.lag)
     generator = _generator(seed, f"pass {row.number}")
     speed = row.speed + generator.uniform(-1.0, 1.0) * truth.belt.speed_error
     return SimulatedPass(round(speed, 5), round(generator.uniform(-1.0, 1.0) * truth.belt.lag, 6))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.findings import Finding, at_place, finding
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.text import place_in
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.dampers import MapDamper, VelocityTable
@@ -85,7 +85,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     return [at_place(place_in(where, item.place), item) for item in _check_all(rig)]
 
 
-@remembered
+@once_per_object
 def _check_all(rig: Rig) -> tuple[Finding, ...]:
     """Collect all findings; cached, since every run asks for them."""
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well

@@ -10,10 +10,10 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
-from jounce.core.errors import as_found, shown
-from jounce.core.misplaced import misplaced
+from jounce.core.errors import as_found, show_value
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
-from jounce.core.samples import listed
+from jounce.core.samples import as_list
 from jounce.core.types import Array
 from jounce.core.units import (
     Length,
@@ -29,13 +29,13 @@ Triple = tuple[float, float, float]
 
 
 def _three(value: Any) -> Any:
-    value = listed(value)
+    value = as_list(value)
     if not isinstance(value, (list, tuple)):
         what = 'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]'
-        raise misplaced((), what, found=as_found(value))
+        raise error_at((), what, found=as_found(value))
     if len(value) != 3:
-        entries = Phrase("{count}: {values}", count=len(value), values=shown(list(value)))
-        raise misplaced((), "three values along x, y and z are needed", found=entries)
+        entries = Phrase("{count}: {values}", count=len(value), values=show_value(list(value)))
+        raise error_at((), "three values along x, y and z are needed", found=entries)
     return value
 
 

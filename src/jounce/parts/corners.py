@@ -10,8 +10,8 @@ from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_s
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
-from jounce.core.errors import DescriptionError, shown
-from jounce.core.misplaced import misplaced
+from jounce.core.errors import DescriptionError, show_value
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
@@ -126,7 +126,7 @@ class Hardpoints(Description):
         sizes = {name: max(abs(value) for value in point) for name, point in self.given().items()}
         for name, size in sizes.items():
             if size > LARGE and min(sizes.values()) < LARGE:
-                raise misplaced(
+                raise error_at(
                     (name,),
                     "lies far from the other points",
                     found=Phrase("{point} m", point=list(getattr(self, name))),
@@ -149,7 +149,7 @@ class Hardpoints(Description):
         if a is None or b is None or distance(a, b) >= SAME_POINT:
             return
         first, second = (first, second) if getattr(self, second) is not None else (second, first)
-        raise misplaced(
+        raise error_at(
             (second,),
             Phrase("the same point as {name}", name=first),
             found=Phrase("{point} for both", point=write_point(b)),
@@ -162,7 +162,7 @@ class Hardpoints(Description):
         if a is None or b is None or c is None:
             return
         if distance_to_line(c, a, b) < ON_ONE_LINE * max(distance(a, b), distance(a, c)):
-            raise misplaced(
+            raise error_at(
                 (turned,),
                 Phrase("lies on the line through {start} and {end}", start=start, end=end),
                 found=Phrase(write_point(c)),
@@ -278,7 +278,7 @@ class Corner(Rig):
         if not isinstance(table, dict):
             return table
         if "without" in table:
-            raise misplaced(("without",), "follows from what the file leaves out; leave it out, too")
+            raise error_at(("without",), "follows from what the file leaves out; leave it out, too")
         if table.get("bodies") and table.get("torsion_bar") and isinstance(table.get("strut"), dict):
             coil = "spring" in table["strut"]  # without it the torsion bar carries the car alone
             strut = {"spring": _NO_SPRING, **table["strut"]}
@@ -415,7 +415,7 @@ class Corner(Rig):
         """Refuse points on the other side of the car, and wheels below the road."""
         centre = self.hardpoints.wheel_centre
         if self.sign * centre[1] <= 0.0:
-            raise misplaced(
+            raise error_at(
                 ("hardpoints", "wheel_centre"),
                 "not on the left side of the car" if self.side == "left" else "not on the right side of the car",
                 found=Phrase("y = {y:g} mm", y=1e3 * centre[1]),
@@ -425,7 +425,7 @@ class Corner(Rig):
                 hint="Change side, or the sign of all y.",
             )
         if centre[2] <= 0.0:
-            raise misplaced(
+            raise error_at(
                 ("hardpoints", "wheel_centre"),
                 "lies in or below the road, which is z = 0",
                 found=Phrase("z = {z:g} mm", z=1e3 * centre[2]),
@@ -435,7 +435,7 @@ class Corner(Rig):
         for name, point in self.hardpoints.given().items():
             allowed = 0.0 if name in self.hardpoints.outer else ACROSS * abs(centre[1])
             if self.sign * point[1] < -allowed and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
-                raise misplaced(
+                raise error_at(
                     ("hardpoints", name),
                     "on the other side of the car than the wheel",
                     found=Phrase(
@@ -452,7 +452,7 @@ class Corner(Rig):
         needed = ("mass",) if self.guide == "vertical" else ("mass", "centre_of_mass", "inertia", "joint")
         missing = [name for name in needed if self.sprung is None or getattr(self.sprung, name) is None]
         if missing:
-            raise misplaced(
+            raise error_at(
                 ("sprung",),
                 Phrase(
                     '{missing} missing; guide = "{guide}" needs {needed}',
@@ -468,7 +468,7 @@ class Corner(Rig):
         self._require_body("strut", self.strut.on)
         rocker = getattr(self.hardpoints, "rocker_pivot", None)
         if self.strut.on == "rocker" and rocker is None:
-            raise misplaced(
+            raise error_at(
                 ("strut", "on"),
                 "there is no rocker; allowed with hardpoints pushrod_outer, pushrod_inner, rocker_pivot, rocker_axis",
             )
@@ -476,14 +476,14 @@ class Corner(Rig):
             self._require_body("hardpoints", "rocker")
         bar_points = self.hardpoints.arb_pivot is not None
         if bar_points != (self.anti_roll_bar is not None):
-            raise misplaced(
+            raise error_at(
                 ("hardpoints",) if bar_points else ("anti_roll_bar",),
                 "an anti-roll bar needs its table [anti_roll_bar] and hardpoints arb_pivot, arb_arm_end, arb_link_end",
                 found=Phrase("only the points" if bar_points else "only the table"),
             )
 
         if self.hardpoints.arb_axis is not None and not bar_points:
-            raise misplaced(("hardpoints", "arb_axis"), "is a point of the axis through arb_pivot, which is missing")
+            raise error_at(("hardpoints", "arb_axis"), "is a point of the axis through arb_pivot, which is missing")
         if self.anti_roll_bar is not None:
             self._require_body("anti_roll_bar", self.anti_roll_bar.on)
             if self.anti_roll_bar.kind == "t":
@@ -502,7 +502,7 @@ class Corner(Rig):
         needing += [f"strut.{name}" for name in laws]
         needing += [f"hardpoints.{name}" for name in _OWN_ENDS if getattr(self.hardpoints, name) is not None]
         if needing:
-            raise misplaced(
+            raise error_at(
                 ("hardpoints", "strut_bottom"),
                 "missing, and strut_top with it",
                 found=Phrase("{names}, which need the ends of the strut", names=", ".join(needing)),
@@ -513,10 +513,10 @@ class Corner(Rig):
         """Refuse T-bars whose stem is not in the middle of the car."""
         points = self.hardpoints
         if points.arb_axis is None:
-            raise misplaced(("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it")
+            raise error_at(("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it")
         for name in ("arb_pivot", "arb_axis"):
             if abs(getattr(points, name)[1]) >= SAME_POINT:
-                raise misplaced(
+                raise error_at(
                     ("hardpoints", name),
                     "off the middle of the car",
                     found=Phrase(write_point(getattr(points, name))),
@@ -527,7 +527,7 @@ class Corner(Rig):
         """Refuse half of a third spring, and ends that have no place for it between them."""
         end = self.hardpoints.third_spring_end
         if (end is None) != (self.third_spring is None):
-            raise misplaced(
+            raise error_at(
                 ("hardpoints",) if self.third_spring is None else ("third_spring",),
                 "a third spring needs its table [third_spring] and hardpoint third_spring_end",
                 found=Phrase("only the point" if self.third_spring is None else "only the table"),
@@ -536,7 +536,7 @@ class Corner(Rig):
             return
         self._require_body("third_spring", self.third_spring.on)
         if self.sign * end[1] < _APART:
-            raise misplaced(
+            raise error_at(
                 ("hardpoints", "third_spring_end"),
                 "at or across the middle of the car, where the other end is",
                 found=Phrase(write_point(end)),
@@ -546,9 +546,9 @@ class Corner(Rig):
     def _require_body(self, element: str, name: str) -> None:
         if name in self.body_masses():
             return
-        raise misplaced(
+        raise error_at(
             (element,) if element == "hardpoints" else (element, "on"),
-            Phrase("the body {name} carries it and does not exist", name=shown(name)),
+            Phrase("the body {name} carries it and does not exist", name=show_value(name)),
             allowed=Phrase(
                 "{names}, or a table [bodies.{name}] with mass, centre_of_mass and inertia",
                 names=", ".join(self.body_masses()),
@@ -710,7 +710,7 @@ class FiveLinkHardpoints(RockerHardpoints):
         for i, j in combinations(range(1, 6), 2):
             ends = [(self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}")) for end in ("inner", "outer")]
             if all(a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends):
-                raise misplaced(
+                raise error_at(
                     (f"link_{j}_inner",),
                     Phrase("link {second} has both ends of link {first}", second=j, first=i),
                     allowed="five different links",

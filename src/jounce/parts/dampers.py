@@ -15,7 +15,7 @@ from pydantic import BaseModel, Discriminator, Field, Tag, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import unknown
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.samples import Listed
 from jounce.core.types import Array
@@ -414,7 +414,7 @@ class MapDamper(DamperLaw):
             )
         for i, row in enumerate(self.force):
             if len(row) != len(self.velocity):
-                raise misplaced(
+                raise error_at(
                     ("force", i),
                     Phrase(
                         "this row has {count} forces and velocity {second_count} points; give as many of both",

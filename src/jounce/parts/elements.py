@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import as_found
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.samples import Listed
 from jounce.core.units import (
@@ -127,7 +127,7 @@ def require_one(part: Description, *names: str) -> None:
     given = [name for name in names if getattr(part, name) is not None]
     if len(given) != 1:
         laws = Phrase(" and ".join(given) if given else "none of them")
-        raise misplaced((), Phrase("give exactly one of {names}", names=", ".join(names)), found=laws)
+        raise error_at((), Phrase("give exactly one of {names}", names=", ".join(names)), found=laws)
 
 
 class CoilSpring(Description):
@@ -176,7 +176,7 @@ class SpatialStrut(Description):
     @classmethod
     def _geometry_says_the_angle(cls, table: Any) -> Any:
         if isinstance(table, dict) and "angle" in table:
-            raise misplaced(
+            raise error_at(
                 ("angle",),
                 "a 3-D rig takes no strut angle, which follows from its geometry",
                 found=as_found(table["angle"]),
@@ -225,14 +225,14 @@ class SteeringColumn(Description):
         given = [(name, point) for name, point in points.items() if point is not None]
         for (first, start), (second, end) in pairwise(given):
             if math.dist(start, end) < _SHORTEST_SHAFT:
-                raise misplaced(
+                raise error_at(
                     (second,), Phrase("the same point as {name}", name=first), allowed="the other end of a shaft"
                 )
         for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
             bend = _bend(start, middle, end)
             if bend > _STEEPEST_JOINT:
                 allowed = Phrase("up to {most:g} deg, as universal joints do", most=_STEEPEST_JOINT)
-                raise misplaced((joint,), Phrase("bends the column by {bend:.3g} deg", bend=bend), allowed=allowed)
+                raise error_at((joint,), Phrase("bends the column by {bend:.3g} deg", bend=bend), allowed=allowed)
         return self
 
 
@@ -261,14 +261,14 @@ class Steering(Description):
     @model_validator(mode="after")
     def _turns_the_rack(self) -> Self:
         if self.rack_ratio == 0.0:
-            raise misplaced(
+            raise error_at(
                 ("rack_ratio",),
                 "a rack that does not move",
                 found=Phrase("0 m/rad"),
                 allowed="any other, negative where it moves the other way",
             )
         if self.column is not None and self.rack_ratio is None:
-            raise misplaced(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")
+            raise error_at(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")
         return self
 
 

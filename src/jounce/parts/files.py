@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 import tomlkit
 
-from jounce.core.description import check_schema, dotted, line_of, read_toml
+from jounce.core.description import check_schema, join_path, line_of, read_toml
 from jounce.core.errors import DescriptionError, at_line, below, nearest, unknown
-from jounce.core.files import chosen_file, shipped_files
+from jounce.core.files import find_file, shipped_files
 from jounce.core.phrases import Phrase
-from jounce.core.text import in_one_line, quoted
+from jounce.core.text import in_one_line, quote
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
@@ -78,7 +78,7 @@ def _value(rig: Rig, path: str, value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return quoted(value)
+        return quote(value)
     if isinstance(value, (list, tuple)):
         return _list([_value(rig, f"{path}[{i}]", item) for i, item in enumerate(value)])
     si = unit_of(rig, path)
@@ -110,7 +110,7 @@ def library() -> dict[str, Path]:
 
 def rig_path(name: str | Path) -> Path:
     """Find the file of a rig: a path, or the name of a shipped one."""
-    return chosen_file(name, library(), "rig")
+    return find_file(name, library(), "rig")
 
 
 def rig_named_in(name: str, file: Path) -> Path:
@@ -378,7 +378,7 @@ def _rebase_corners(text: str, before: Path, after: Path) -> str:
 
 def _write_default(rig: Rig, parents: list[str | int]) -> Any:
     """Write a part that the file leaves to its default: an empty table, or the whole list of numbers."""
-    name = dotted(tuple(parents))
+    name = join_path(tuple(parents))
     known = rig.parameters()
     values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]
     return [_quantity(known[path], unit_of(rig, path)) for path in values] or tomlkit.inline_table()

@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.units import Unit
 
 _FEW = 10
@@ -40,7 +40,7 @@ def _collect(value: Any, path: str, numbers: dict[str, float]) -> None:
         numbers[path] = value
 
 
-@remembered
+@once_per_object
 def structure_of(description: BaseModel) -> str:
     """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
     return re.sub(
@@ -92,7 +92,7 @@ def _set(table: Any, parts: list[str | int], value: Any) -> None:
     here[last] = value  # type: ignore[index]
 
 
-_numbers = remembered(parameters_of)
+_numbers = once_per_object(parameters_of)
 
 
 def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:

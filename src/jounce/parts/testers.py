@@ -14,9 +14,9 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, read_description
 from jounce.core.errors import DescriptionError, nearest_name
-from jounce.core.files import chosen_file, shipped_files
+from jounce.core.files import find_file, shipped_files
 from jounce.core.findings import Finding, finding
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import (
     Frequency,
@@ -137,7 +137,7 @@ class TesterLimits(Description):
             low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
             if low >= high:
                 limits = Phrase("{low:g} and {high:g} (SI)", low=low, high=high)
-                raise misplaced((f"{name}_min",), Phrase("not below {name}_max", name=name), found=limits)
+                raise error_at((f"{name}_min",), Phrase("not below {name}_max", name=name), found=limits)
         return self
 
 
@@ -208,16 +208,16 @@ class Tester(Description):
     def _is_complete(self) -> Self:
         sprung = self.kind == "sprung-plate"
         if sprung != (self.plate_spring_rate is not None):
-            raise misplaced(
+            raise error_at(
                 ("plate_spring_rate",),
                 "a sprung plate needs it, a rigid one has none",
                 found=Phrase('kind = "{kind}"', kind=self.kind),
             )
         if self.plate_damping_coefficient is not None and not sprung:
             kind = Phrase('kind = "rigid-plate"')
-            raise misplaced(("plate_damping_coefficient",), "a rigid plate has none", found=kind)
+            raise error_at(("plate_damping_coefficient",), "a rigid plate has none", found=kind)
         if self.programme.run_down == "free" and self.drive is None:
-            raise misplaced(
+            raise error_at(
                 ("drive",), 'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing'
             )
         return self
@@ -276,7 +276,7 @@ def load_tester(name: str | Path) -> Tester:
     >>> tester.kind, tester.amplitude   # m
     ('rigid-plate', 0.003)
     """
-    path = chosen_file(name, library(), "tester")
+    path = find_file(name, library(), "tester")
     tester, _ = read_description(Tester, path, SCHEMA)
     return tester if tester.name else tester.model_copy(update={"name": path.stem})
 

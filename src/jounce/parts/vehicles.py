@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import (
     Acceleration,
@@ -288,15 +288,15 @@ class SpatialAxle(Description):
     @model_validator(mode="after")
     def _is_left(self) -> Self:
         if self.corner.side != "left":
-            raise misplaced(("corner", "side"), 'found "right"', allowed="the left corner, the right one is its mirror")
+            raise error_at(("corner", "side"), 'found "right"', allowed="the left corner, the right one is its mirror")
         if self.corner.lacks:
-            raise misplaced(
+            raise error_at(
                 ("corner",),
                 Phrase("of a car needs all its parts; it has no {lacks}", lacks=", ".join(self.corner.lacks)),
             )
         bar = self.corner.anti_roll_bar
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
-            raise misplaced(
+            raise error_at(
                 ("anti_roll_bar_rate",),
                 "the corner describes this bar, too, and both would count",
                 allowed="one of them",

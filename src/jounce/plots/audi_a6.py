@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.display import DisplayUnit, display_unit, shown_as
+from jounce.core.display import DisplayUnit, display_unit, display_unit_for
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.phrases import Phrase
 from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
@@ -114,7 +114,7 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
     """Draw plate, spring length (mm) and spring force (kN) over time for all models of the corner on its exciter."""
     figure = new_figure(6.4)
     rows = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [0.5, 1.6, 1.2]})
-    length_unit, force = display_unit("m"), shown_as("kN")
+    length_unit, force = display_unit("m"), display_unit_for("kN")
     plate = study.runs[0].signals.isel(time=study.runs[0].signals["time"] <= duration)
     rows[0].plot(plate["time"], length_unit.factor * plate["plate.z"], color=INK, linewidth=0.9)
     for run in study.runs:
@@ -145,7 +145,7 @@ def exciter_torque_curve(study: EccentricExciter) -> Figure:
     """Draw torque (N m) and plate force (kN) over two turns of steady motion, beside the torque of eq. (5)."""
     figure = new_figure(4.6)
     rows = figure.subplots(2, 1, sharex=True)
-    torque, force = display_unit("N*m"), shown_as("kN")
+    torque, force = display_unit("N*m"), display_unit_for("kN")
     for run in study.runs:
         time = run.signals["time"]
         part = run.signals.isel(time=time >= float(time[-1]) - _TURNS)
@@ -167,7 +167,7 @@ def exciter_torque_curve(study: EccentricExciter) -> Figure:
 
 def _draw(axes: Axes, runs: Sequence[CaseRun], channel: str) -> None:
     words, metric, size = _QUANTITIES[channel]
-    unit = shown_as(metric)
+    unit = display_unit_for(metric)
     for run in runs:
         part = run.signals.isel(time=run.signals["time"] >= _BEGIN)
         line = _LINES[run.variant]

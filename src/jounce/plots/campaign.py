@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import DisplayUnit, display_unit, shown_as
+from jounce.core.display import DisplayUnit, display_unit, display_unit_for
 from jounce.core.errors import FitError
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
@@ -252,7 +252,7 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     usable = [trial for trial in trials if trial.after is not None]
     if not usable:
         raise FitError("no trial could be compared", where="residuals")
-    speed, pitch = shown_as("m/s", "speed"), display_unit("m")
+    speed, pitch = display_unit_for("m/s", "speed"), display_unit("m")
     singles = [
         (speed.factor * trial.entry.speed, trial)
         for trial in usable

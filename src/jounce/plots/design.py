@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.plots.display import number, quantity, raise_exponents
 from jounce.plots.figures import (
     AFTER,
@@ -411,7 +411,7 @@ def trade_off(study: RideStudy) -> Figure:
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
     sizes = _POINT_SIZE * travel / (high or 1.0)  # areas: three times as large is three times the travel
-    along, height, stroke = shown_as("m/s²"), display_unit(up.unit), display_unit("m")
+    along, height, stroke = display_unit_for("m/s²"), display_unit(up.unit), display_unit("m")
     places = np.array(
         [(along.factor * ride.merits[across.name], height.factor * ride.merits[up.name]) for ride in study.rides]
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit as DisplayUnit  # noqa: PLC0414 - offered by the package, too
 from jounce.core.display import display_unit as display_unit  # noqa: PLC0414
-from jounce.core.display import shown_as
+from jounce.core.display import display_unit_for
 from jounce.core.numbers import digits_for as digits_for  # noqa: PLC0414
 from jounce.core.numbers import estimate_cells as estimate_cells  # noqa: PLC0414
 from jounce.core.numbers import estimate_text as estimate_text  # noqa: PLC0414
@@ -89,7 +89,7 @@ def ratio_unit(above: str, below: str) -> str:
 def given(value: float | None, si: str, words: str = "") -> str:
     """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
 
-    What it is, in ``words``, matters for speeds, as :func:`jounce.core.display.shown_as` has them.
+    What it is, in ``words``, matters for speeds, as :func:`jounce.core.display.display_unit_for` has them.
 
     Examples
     --------
@@ -98,7 +98,7 @@ def given(value: float | None, si: str, words: str = "") -> str:
     """
     if value is None:
         return "–"
-    unit = shown_as(si, words) if words else display_unit(si, value)
+    unit = display_unit_for(si, words) if words else display_unit(si, value)
     return unit.behind(f"{value * unit.factor:.5g}".replace("-", "−"))
 
 

@@ -15,7 +15,7 @@ from functools import cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
-from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
+from jounce.core.process_settings import PROCESS_SETTINGS, collect_warnings
 from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats
 from jounce.plots.display import raise_exponents
@@ -391,7 +391,7 @@ _GLYPH = re.compile(r"Glyph (\d+) .*missing from")
 @contextmanager
 def _report_missing_glyphs() -> Iterator[None]:
     """Log all characters that the font lacks in one message, not each with every drawing."""
-    with caught_warnings() as caught:
+    with collect_warnings() as caught:
         yield
     missing: set[str] = set()
     for warning in caught:

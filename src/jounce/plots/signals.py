@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
@@ -254,7 +254,7 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     rows = figure.subplots(len(named), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
     ends = {name: road.end() for name, road in named.items()}
     reach = distance if distance is not None else 1.08 * max(*ends.values(), 1e-3)
-    across, up = shown_as("m", largest=reach), display_unit("m")
+    across, up = display_unit_for("m", largest=reach), display_unit("m")
     for (name, road), axes in zip(named.items(), rows, strict=True):
         x, height = sample_segments(road.segments(reach))
         if height.min() >= 0.0:
@@ -374,7 +374,7 @@ def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
     above, below = figure.subplots(2, 1, sharex=True)
     unit = display_unit("m", float(np.abs(height).max(initial=0.0)))
     few, shown = thinned(distance, height, float(distance[0]), float(distance[-1]), MOST_COLUMNS)
-    along, index = shown_as("m", largest=float(distance[-1])), display_unit("m/km")
+    along, index = display_unit_for("m", largest=float(distance[-1])), display_unit("m/km")
     above.plot(few * along.factor, shown * unit.factor, color=PALETTE[0], linewidth=0.9)
     above.set_ylabel(unit.label("height"))
     starts = [along.factor * part.start for part in found.segments]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.columns import Column, name_and_unit
-from jounce.core.errors import RecordingError, named
+from jounce.core.errors import RecordingError, value_or_kind
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.recordings.quality import check_time
@@ -83,7 +83,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
         return _spelled(given.to_dataset(), where)
     if not is_table(given):
         raise RecordingError(
-            Phrase("{given} is no recording", given=named(given)),
+            Phrase("{given} is no recording", given=value_or_kind(given)),
             where=where,
             allowed="an xarray.Dataset, or a table with columns 'name [unit]' and one of them 'time [s]'",
             hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one of arrays.",

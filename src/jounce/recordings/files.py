@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
-from jounce.core.errors import DescriptionError, JounceError, RecordingError, named, nearest
+from jounce.core.errors import DescriptionError, JounceError, RecordingError, nearest, value_or_kind
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.phrases import Phrase
@@ -462,7 +462,9 @@ def read_columns(
 def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
     if not isinstance(columns, Mapping | str | None):
         allowed = "name of a channel to its column, or all names in their order as one text"
-        raise RecordingError(Phrase("{columns} was given", columns=named(columns)), where="columns", allowed=allowed)
+        raise RecordingError(
+            Phrase("{columns} was given", columns=value_or_kind(columns)), where="columns", allowed=allowed
+        )
     if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
     header = columns if isinstance(columns, str) else ""
@@ -506,7 +508,7 @@ def in_si(column: Column, si: str) -> Array:
         raise DescriptionError(
             error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
         ) from None
-    return column.scaled(factor)
+    return column.times(factor)
 
 
 def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable:

@@ -22,7 +22,7 @@ import numpy as np
 from jounce.core import errors, optional
 from jounce.core.child_processes import ChildProcess, ProcessWatch, has_less_than, limit, resident_memory
 from jounce.core.columns import Column, ColumnTable
-from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
+from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, show_value, unforeseen
 from jounce.core.findings import finding_of
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
@@ -369,7 +369,7 @@ _KINDS: dict[str, Callable[..., JounceError]] = {
 
 
 def _plain_error(error: JounceError) -> dict[str, Any]:
-    found = error.found if isinstance(error.found, (str, int, float, type(None))) else shown(error.found)
+    found = error.found if isinstance(error.found, (str, int, float, type(None))) else show_value(error.found)
     return {"kind": type(error).__name__, "told": [error.what, error.where, found, error.allowed, error.hint]}
 
 

@@ -17,7 +17,7 @@ from jounce.core.columns import name_and_unit
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
-from jounce.core.process_settings import caught_warnings
+from jounce.core.process_settings import collect_warnings
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_part
 
@@ -58,7 +58,7 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
             hint = "Save it with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
             raise RecordingError("a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint)
     try:
-        with caught_warnings() as warnings:
+        with collect_warnings() as warnings:
             content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
         messages = (" ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings)
         findings += [finding("recordings.matlab_warning", str(path), error=text) for text in dict.fromkeys(messages)]

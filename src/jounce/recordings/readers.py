@@ -34,7 +34,7 @@ from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.optional import require
 from jounce.core.phrases import Phrase
-from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
+from jounce.core.process_settings import PROCESS_SETTINGS, collect_warnings
 from jounce.core.types import Array
 from jounce.core.units import is_unit, is_unit_of
 from jounce.core.workbooks import sheets_of
@@ -163,7 +163,7 @@ def _quiet() -> Iterator[None]:
 def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
     """Turn any error of a library into one refusal: damaged files raise errors of any kind."""
     try:
-        with caught_warnings():
+        with collect_warnings():
             yield
     except (JounceError, MemoryError):
         raise

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.phrases import Phrase
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
@@ -234,7 +234,7 @@ def _time_axis(instants: Array) -> xr.Dataset:
     return xr.Dataset(coords={"time": xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})})
 
 
-_lasting_time_axis = remembered(_time_axis)
+_lasting_time_axis = once_per_object(_time_axis)
 """The same for read-only instants: one index serves all runs on them."""
 
 

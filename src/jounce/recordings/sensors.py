@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Whole
-from jounce.core.errors import as_found, shown
-from jounce.core.misplaced import misplaced
+from jounce.core.errors import as_found, show_value
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
@@ -37,14 +37,14 @@ class ChannelUnit(Unit):
     si: str = "the channel's SI unit"
 
     def _read(self, value: object) -> float | str:  # type: ignore[override]  # text stays text
-        text = value if isinstance(value, str) else shown(value)
+        text = value if isinstance(value, str) else show_value(value)
         match = _LEADING_NUMBER.match(text) if len(text) < _LONGEST_VALUE else None
         if isinstance(value, bool) or not isinstance(value, (int, float, str)) or match is None:
             allowed = "'<number> <unit of the channel>' or a number in SI"
-            raise misplaced((), "not a physical value", found=as_found(value), allowed=allowed)
+            raise error_at((), "not a physical value", found=as_found(value), allowed=allowed)
         if self.at_least is not None and float(match[0]) < self.at_least:
             allowed = Phrase("at least {bound:g}", bound=self.at_least)
-            raise misplaced((), "out of range", found=as_found(value), allowed=allowed)
+            raise error_at((), "out of range", found=as_found(value), allowed=allowed)
         return value
 
 
@@ -114,7 +114,7 @@ class Sensor(Description):
     @model_validator(mode="after")
     def _is_possible(self) -> Self:
         if self.gain == 0.0:
-            raise misplaced((), "a gain of 0 removes the signal", allowed="any other number")
+            raise error_at((), "a gain of 0 removes the signal", allowed="any other number")
         if self.high_pass is not None and self.low_pass is not None and self.high_pass >= self.low_pass:
             text = "high_pass ({high_pass:g} Hz) is not below low_pass ({low_pass:g} Hz)"
             raise ValueError(Phrase(text, high_pass=self.high_pass, low_pass=self.low_pass))

@@ -16,8 +16,8 @@ from jounce.core.errors import OutputError
 from jounce.core.optional import require
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
-from jounce.core.text import guarded, place_in
-from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
+from jounce.core.text import guard_formula, place_in
+from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, split_text, workbook_of
 from jounce.core.writing import Formats, working_folder
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ def _csv_of(dataset: xr.Dataset) -> bytes:
     signals = _signals(dataset)
     for name in signals:
         _check_name(name, ",;\t", ".nc")
-    header = ",".join(guarded(f"{name} [{_unit(signal)}]") for name, signal in signals.items())
+    header = ",".join(guard_formula(f"{name} [{_unit(signal)}]") for name, signal in signals.items())
     table = np.column_stack([signal.values for signal in signals.values()])
     rows = (",".join(map(repr, row)) for row in table.tolist())
     return ("\n".join([header, *rows]) + "\n").encode()
@@ -268,7 +268,7 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
     ]
     texts = {key: json.dumps(value, ensure_ascii=False) for key, value in json.loads(_about(dataset))[ABOUT].items()}
     texts = {key: CONTROL.sub(lambda sign: f"\\u{ord(sign[0]):04x}", text) for key, text in texts.items()}
-    attributes = [(CONTROL.sub(" ", key), *wrapped(text)) for key, text in texts.items()]
+    attributes = [(CONTROL.sub(" ", key), *split_text(text)) for key, text in texts.items()]
     sheets: dict[str, list[Sequence[float | str]]] = {
         EXCEL[0]: [heads, *numbers],
         EXCEL[1]: [("channel", "unit", "long name"), *channels],

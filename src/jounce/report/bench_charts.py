@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.core.types import Array
 from jounce.identify.force_deflection import ForceDeflectionTrial, number_namesakes, seat
 from jounce.identify.free_response import alternating, decay_response, turning_points
@@ -140,7 +140,7 @@ def road_panels(roads: Mapping[str, Road]) -> tuple[Panel, ...]:
     reach = 1.08 * max(*(road.end() for road in roads.values()), 1e-3)
     begin = min(road.start for road in roads.values())
     shown = (max(0.0, begin - 0.08 * (reach - begin)), reach)
-    across, up = shown_as("m", largest=reach), display_unit("m")
+    across, up = display_unit_for("m", largest=reach), display_unit("m")
     shown = (across.factor * shown[0], across.factor * shown[1])
     panels = []
     for k, (name, road) in enumerate(roads.items()):

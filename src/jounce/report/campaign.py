@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.campaign.beside_reference import beside_reference
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
@@ -452,7 +452,7 @@ def _errors(result: CampaignResult) -> Chart:
     """Normalised error of every trial after updating against speed (single obstacles) and against pitch (trains)."""
     usable = [trial for trial in result.trials if trial.after is not None]
     channels = channels_of(usable)
-    speed, pitch = shown_as("m/s", "speed"), display_unit("m")
+    speed, pitch = display_unit_for("m/s", "speed"), display_unit("m")
     single = [
         (speed.factor * t.entry.speed, t) for t in usable if t.entry.speed is not None and t.obstacle_pitch is None
     ]

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
-from jounce.core.text import guarded, slug
-from jounce.core.workbooks import CONTROL, saved
+from jounce.core.text import guard_formula, slug
+from jounce.core.workbooks import CONTROL, workbook_bytes
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
 from jounce.report.page import (
@@ -189,7 +189,7 @@ def table_csv(table: PageTable) -> str:
     """
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow([guarded(title) for title in table.header])
+    writer.writerow([guard_formula(title) for title in table.header])
     for row in table.rows:
         writer.writerow([_csv_text(cell) for cell in row])
     return CONTROL.sub(" ", stream.getvalue())
@@ -198,7 +198,7 @@ def table_csv(table: PageTable) -> str:
 def _csv_text(cell: Cell | str) -> str:
     value = value_of(cell)
     if isinstance(value, str):
-        return guarded(value)
+        return guard_formula(value)
     return (cell if isinstance(cell, str) else cell.text).replace("−", "-")
 
 
@@ -230,7 +230,7 @@ def tables_xlsx(page: Page) -> bytes:
         for k, column in enumerate(sheet.columns, 1):
             width = max((len(str(cell.value or "")) for cell in column), default=8)
             sheet.column_dimensions[openpyxl.utils.get_column_letter(k)].width = min(max(width + 2, 8), 60)
-    return saved(book)
+    return workbook_bytes(book)
 
 
 def _append(sheet: Any, values: Sequence[float | str]) -> None:

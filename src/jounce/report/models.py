@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.recordings.schema import state_unit
 from jounce.report.page import (
@@ -154,7 +154,7 @@ def roughness_page(
     >>> [section.title for section in roughness_page(found, x, z, found.findings, title="Waves").sections]
     ['Answer', 'Profile']
     """
-    length, index = shown_as("m", largest=found.end), display_unit("m/km")
+    length, index = display_unit_for("m", largest=found.end), display_unit("m/km")
 
     def along(metres: float) -> str:
         return f"{length.factor * metres:g} {length.name}"

@@ -13,7 +13,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.display import chosen_units, shown_in
+from jounce.core.display import current_units, local_units
 from jounce.core.errors import unknown
 from jounce.core.findings import DrawingError, not_drawn
 from jounce.core.serialise import to_json, to_plain
@@ -192,7 +192,7 @@ def _viewers(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Ma
             groups[words[graded.axle] if graded.axle in words else words["axle"]] = wheels
     if not groups:
         return ()
-    with shown_in("metric"):
+    with local_units("metric"):
         blocks = curve_blocks(groups, ["plate.force"], title="")
     return tuple(_in_words(block, words) for block in blocks if isinstance(block, Viewer))
 
@@ -282,7 +282,7 @@ def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, la
     found = {}
     for i, graded in enumerate(vehicle.axles):
         egea = graded.limits.methods.get("egea")
-        with shown_in("metric"):
+        with local_units("metric"):
             figure = inspection_curves(
                 graded.inspection,
                 (records or {}).get(graded.axle),
@@ -349,7 +349,7 @@ def protocol_content(
     At most ``most`` reasons and remarks are shown; the rest is counted.
     """
     words = dict(words_in(language))
-    if chosen_units() != "metric":  # limits are in the units of the test methods, and so is what is held against them
+    if current_units() != "metric":  # limits are in the units of the test methods, and so is what is held against them
         words["differences_note"] += f" {words['units_note']}"
     reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
     shown = reasons[:most]

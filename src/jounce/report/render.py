@@ -19,7 +19,7 @@ from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.optional import require
 from jounce.core.text import slug
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats, check_folder, working_folder, write_files
 from jounce.recordings.files import write_recording
@@ -156,7 +156,7 @@ def _draw(
     for k, picture in enumerate(pictures, 1):
         if names.index(picture.name) < k - 1:
             raise OutputError("two figures have the same name", where=page.title, found=picture.name)
-        progress(counted("draw: figure {which} of {count}", k, len(pictures)))
+        progress(progress_through("draw: figure {which} of {count}", k, len(pictures)))
         try:
             found = _files(picture, page.figure_note, formats)
         except Exception as error:  # noqa: BLE001 - whatever it is, the other figures are drawn

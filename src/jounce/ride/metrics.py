@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError, RecordingError, nearest, unknow
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
-from jounce.core.text import aligned
+from jounce.core.text import align_columns
 from jounce.core.units import positive_si, to_si
 from jounce.parts import Rig
 from jounce.recordings.carried import as_recording
@@ -421,7 +421,7 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
     names = {item.metric: item.unit for item in values}
     rows = [["", "", *places]] if any(places) else []
     rows += [[name, unit, *(cells.get((name, place), "–") for place in places)] for name, unit in names.items()]
-    return aligned(rows, left=2)
+    return align_columns(rows, left=2)
 
 
 def _absences(absent: Iterable[AbsentMetric]) -> list[str]:

@@ -17,7 +17,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.parts.rig import check_rig
 from jounce.parts.vehicles import track_width
@@ -474,7 +474,7 @@ def compare_rides(
     first_error: JounceError | None = None
     for k, (given, control) in enumerate(zip(controls, chosen, strict=True), 1):
         name = control_name(given)
-        progress(counted("driving {which} of {count}: {name}", k, len(chosen), name=name))
+        progress(progress_through("driving {which} of {count}: {name}", k, len(chosen), name=name))
         try:
             rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
@@ -107,7 +107,7 @@ class Enveloped(RoadOf):
                 )
         if self.cam_exponent <= 1.0:
             what = Phrase("cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent)
-            raise misplaced((), what, allowed=Phrase("above {bound:g}", bound=1.0))
+            raise error_at((), what, allowed=Phrase("above {bound:g}", bound=1.0))
 
     @model_validator(mode="after")
     def _check_fields(self) -> Self:

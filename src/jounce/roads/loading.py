@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from jounce.core.description import dotted, line_of, read_toml
+from jounce.core.description import join_path, line_of, read_toml
 from jounce.core.errors import DescriptionError, at_line, below, unknown
-from jounce.core.files import chosen_file, shipped_files
+from jounce.core.files import find_file, shipped_files
 from jounce.core.phrases import Phrase
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import ROADS, Road
@@ -75,7 +75,7 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
     """
     if is_class(path):
         return _of_class(str(path), length)
-    file = chosen_file(path, road_library(), "road", others="a path to a file, iso:A to iso:H")
+    file = find_file(path, road_library(), "road", others="a path to a file, iso:A to iso:H")
     suffix = file.suffix.lower()
     if suffix == ".crg":
         return Crg(file=file)
@@ -236,4 +236,4 @@ class _Reader:
 
     def _place(self, path: tuple[str, ...]) -> str:
         line = line_of(self.text, path) if self.text else None
-        return below(at_line(self.where, line) if self.where else "", dotted(path))
+        return below(at_line(self.where, line) if self.where else "", join_path(path))

@@ -17,7 +17,7 @@ from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError, is_of_system, resource_error
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.phrases import Phrase
-from jounce.core.process_settings import caught_warnings
+from jounce.core.process_settings import collect_warnings
 from jounce.core.samples import Listed
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -384,7 +384,7 @@ def _read(file: str) -> Any:
     import pyopencrg
 
     try:
-        with np.errstate(all="ignore"), caught_warnings():  # damaged numbers overflow
+        with np.errstate(all="ignore"), collect_warnings():  # damaged numbers overflow
             road = pyopencrg.read(file, check=False)
             problems = [*road.check().errors, *_overlong_rows(file)]
             if road.mods and not problems:

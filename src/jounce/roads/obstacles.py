@@ -11,7 +11,7 @@ from typing import Literal
 from pydantic import Field
 
 from jounce.core.description import Whole
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Height, NonNegativeLength, PositiveHeight, PositiveLength
@@ -139,7 +139,7 @@ class Trapezoid(Road):
         if 2.0 * self.ramp > self.length * (1.0 + 1e-9):
             text = "two ramps of {ramp:g} m do not fit into the length {length:g} m"
             most = Phrase("a ramp up to {most:g} m", most=0.5 * self.length)
-            raise misplaced((), Phrase(text, ramp=self.ramp, length=self.length), allowed=most)
+            raise error_at((), Phrase(text, ramp=self.ramp, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """Ramp, plateau, ramp; no plateau when the ramps meet."""
@@ -222,7 +222,7 @@ class CircularSegment(Road):
         if abs(self.height) > 0.5 * self.length * (1.0 + 1e-9):
             text = "height {height:g} m is more than a half-cylinder of length {length:g} m has"
             most = Phrase("up to {most:g} m", most=0.5 * self.length)
-            raise misplaced((), Phrase(text, height=self.height, length=self.length), allowed=most)
+            raise error_at((), Phrase(text, height=self.height, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """One arc through both feet and the crest."""
@@ -343,7 +343,7 @@ class Pothole(Road):
         if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
             text = "two edges of radius {radius:g} m do not fit into the length {length:g} m"
             most = Phrase("an edge_radius up to {most:g} m", most=0.5 * self.length)
-            raise misplaced((), Phrase(text, radius=self.edge_radius, length=self.length), allowed=most)
+            raise error_at((), Phrase(text, radius=self.edge_radius, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
         """Edge, bottom, edge."""
@@ -391,7 +391,7 @@ class Train(RoadOf):
                 pitch=self.pitch,
                 length=length,
             )
-            raise misplaced((), what, allowed=Phrase("a pitch of at least {length:g} m", length=length))
+            raise error_at((), what, allowed=Phrase("a pitch of at least {length:g} m", length=length))
 
     def profile(self) -> Profile:
         """Pieces of the whole train."""
@@ -417,4 +417,4 @@ def _check_edge(radius: float, height: float, name: str) -> None:
     if radius > abs(height) * (1.0 + 1e-9):
         text = "an edge of radius {radius:g} m is rounder than the {name} {height:g} m"
         most = Phrase("an edge_radius up to {most:g} m", most=abs(height))
-        raise misplaced((), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most)
+        raise error_at((), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most)

@@ -12,7 +12,7 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.misplaced import misplaced, misplaced_value
+from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
@@ -243,11 +243,11 @@ class Iso8608(SampledRoad):
         if 2.0 * self.fade > self.length * (1.0 + 1e-9):
             text = "two fades of {fade:g} m do not fit into the length {length:g} m"
             most = Phrase("a run_in up to {most:g} m", most=0.5 * self.length)
-            raise misplaced((), Phrase(text, fade=self.fade, length=self.length), allowed=most)
+            raise error_at((), Phrase(text, fade=self.fade, length=self.length), allowed=most)
         points = _points(self.length, self.step) * _periods(self.length, low)
         if points > MOST_POINTS:
             most = Phrase("up to {most}; make step larger or the road shorter", most=MOST_POINTS)
-            raise misplaced((), Phrase("{points} points", points=points), allowed=most)
+            raise error_at((), Phrase("{points} points", points=points), allowed=most)
 
     @property
     def degree_of_roughness(self) -> float:

@@ -17,9 +17,9 @@ from jounce.core.description import Description
 from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, at_place, finding
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.types import Array
@@ -419,7 +419,7 @@ class Trial(Description):
     def _check_fields(self) -> Self:
         if (self.road is None) == (self.excitation is None):
             given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
-            raise misplaced((), Phrase("{given} given", given=given), allowed="road and speed, or excitation")
+            raise error_at((), Phrase("{given} given", given=given), allowed="road and speed, or excitation")
         if self.speeds is not None and self.road is None:
             raise ValueError("speeds are given without a road; an excitation is in time already")
         if self.speeds is not None and "duration" in self.model_fields_set:
@@ -460,8 +460,8 @@ class Trial(Description):
             return self
         if self.speeds is not None:
             faster = [factor * speed for speed in self.speeds.speed]
-            return self.changed(speeds=SpeedOverTime(time=self.speeds.time, speed=faster), speed=None)
-        return self.changed(speed=factor * self.speed)
+            return self.with_fields(speeds=SpeedOverTime(time=self.speeds.time, speed=faster), speed=None)
+        return self.with_fields(speed=factor * self.speed)
 
     def _default_duration(self) -> float:
         if self.excitation is None:
@@ -540,7 +540,7 @@ class Trial(Description):
 _MOST_WHEELS = 16  # places whose roads are kept: those of four cars
 
 
-@remembered
+@once_per_object
 def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
     """Heights under the wheels requested so far; None if they come from a file, which may change."""
     return {} if is_lasting(trial) else None
@@ -561,7 +561,7 @@ def as_trial(given: Trial | HoldsTrial) -> Trial:
     return given if isinstance(given, Trial) or not isinstance(given, HoldsTrial) else given.trial
 
 
-@remembered
+@once_per_object
 def is_lasting(trial: Trial) -> bool:
     """Whether a trial is complete in its description, without files, which may change."""
     return not _names_a_file(trial)

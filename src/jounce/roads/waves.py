@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.segments import SINE
 from jounce.core.types import Array
@@ -97,7 +97,7 @@ class SineSweep(Road):
         waves = _cycles(1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law)
         if waves > MOST_WAVES:
             most = Phrase("up to {most}; make the sweep shorter", most=MOST_WAVES)
-            raise misplaced((), Phrase("{waves:.0f} waves", waves=waves), allowed=most)
+            raise error_at((), Phrase("{waves:.0f} waves", waves=waves), allowed=most)
 
     def profile(self) -> Profile:
         """Cubics with the exact slopes, 64 to a wave."""

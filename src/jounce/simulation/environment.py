@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator, SemiActiveDamper
 from jounce.control.laws import Passive
-from jounce.core.errors import DescriptionError, SimulationError, named, unknown
+from jounce.core.errors import DescriptionError, SimulationError, unknown, value_or_kind
 from jounce.core.optional import require
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
@@ -234,7 +234,7 @@ def _environment_class() -> Any:
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
             if not isinstance(first, Trial):
                 raise DescriptionError(
-                    Phrase("the function gives {first}", first=named(first)), where="trial", allowed="a trial"
+                    Phrase("the function gives {first}", first=value_or_kind(first)), where="trial", allowed="a trial"
                 )
             self._run = self._make(first)
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)

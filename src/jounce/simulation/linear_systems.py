@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.kernel.methods.implicit import Slopes
 from jounce.kernel.methods.rosenbrock import RosenbrockStep
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
@@ -32,7 +32,7 @@ def slopes_of(compiled: Compiled) -> Slopes:
     return _slopes_of(compiled.plain)[0]
 
 
-@remembered
+@once_per_object
 def _slopes_of(plain: Compiled) -> tuple[Slopes, Native]:
     if plain.identity:
         native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jounce.core.errors import SimulationError
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.segments import Segments, flat
 from jounce.mechanics.facts import ROAD, ModelFacts, is_road
 from jounce.parts import Rig
@@ -64,7 +64,7 @@ def _refuse_unknown_ground(trial: Trial) -> None:
             road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", continue_level=True)
 
 
-_lasting_ground = remembered(_refuse_unknown_ground)
+_lasting_ground = once_per_object(_refuse_unknown_ground)
 
 
 def _refuse_unfelt(facts: ModelFacts, rig: Rig, trial: Trial) -> None:

@@ -118,5 +118,5 @@ def _begun_earlier(trial: Trial, earlier: float, loops: int) -> Trial:
         road: Road | None = getattr(trial, name)
         if road is not None and road.recurrence is not None:
             moved = road.start + trial.speed * earlier - loops * road.recurrence
-            given[name] = road.changed(start=max(moved, 0.0))
-    return trial.changed(**given)
+            given[name] = road.with_fields(start=max(moved, 0.0))
+    return trial.with_fields(**given)

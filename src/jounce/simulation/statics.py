@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.remembered import Recent, remembered
+from jounce.core.remembered import Recent, once_per_object
 from jounce.core.types import Array
 from jounce.mechanics.facts import ModelFacts, is_road
 from jounce.roads.trial import LOADS
@@ -288,7 +288,7 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> Iterator[Array
         yield first + heights * road - sag * depth
 
 
-@remembered
+@once_per_object
 def _sinking(facts: ModelFacts) -> tuple[Array, Array, Array]:
     """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
     heave = np.array([name == _HEAVE for name in facts.states], dtype=float)

@@ -14,7 +14,7 @@ from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.seeds import check_seed
-from jounce.core.text import quoted
+from jounce.core.text import quote
 from jounce.core.types import Array
 from jounce.core.writing import write_atomically
 from jounce.parts.rig import Rig
@@ -222,7 +222,7 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
 
 def _quote(key: str, value: object) -> str:
     unit = {"static_load": " N", "plate_mass": " kg"}.get(key.rpartition(".")[2], "")
-    return quoted(f"{value}{unit}")
+    return quote(f"{value}{unit}")
 
 
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:

@@ -98,7 +98,7 @@ class Design(Shown):
                     ),
                     where=path,
                     found=self.spreads[path],
-                    allowed=limit(path).allowed,
+                    allowed=limit(path).range_text,
                 )
 
     def _laws(

@@ -14,7 +14,7 @@ import numpy as np
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, reason, unknown
 from jounce.core.findings import Finding, findings_of
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import Unit
@@ -792,13 +792,13 @@ class _TravelBeyond(NamedTuple):
     high: Array
 
 
-@remembered
+@once_per_object
 def _quantities_of(description: object) -> dict[str, tuple[float, Unit]]:  # noqa: ARG001 - kept beside it
     """Values (SI) of requested parameters of a rig, trial or controller, with units and ranges."""
     return {}
 
 
-@remembered
+@once_per_object
 def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]:  # noqa: ARG001 - kept beside it
     """Ranges of some numbers of a rig, by their paths, in which its description is known to allow all values."""
     return {}
@@ -807,7 +807,7 @@ def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]
 _MOST_LAYOUTS = 4  # for each trial: a sweep and its repeats
 
 
-@remembered
+@once_per_object
 def _layouts_of(trial: Trial) -> dict[object, SharedLayout | None] | None:
     """Layouts used over a trial so far; None if its road is a file, which may change."""
     return {} if is_lasting(trial) else None
@@ -825,7 +825,7 @@ def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
     return numbers
 
 
-@remembered
+@once_per_object
 def _numbers(rig: Rig) -> dict[str, float]:
     """Numbers of a rig by path."""
     return rig.parameters()

@@ -35,7 +35,7 @@ from jounce.core.processes import check_workers, refusal
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.text import qualify
 from jounce.core.types import Array
-from jounce.core.writing import check_folder, resolved, write_atomically
+from jounce.core.writing import check_folder, resolve_path, write_atomically
 from jounce.variants import zarr_shards
 from jounce.variants.findings import Tally
 from jounce.variants.many import VariantWork
@@ -175,7 +175,7 @@ def keep_in_shards(
     ``say`` is reported how many variants are done, and of how many; ``command`` is what was typed. Without a number of
     ``workers`` there is one a processor where variants run alone, and for long.
     """
-    folder = resolved(out, home=True)
+    folder = resolve_path(out, home=True)
     study, goes_on = study_of(work, columns), (folder / MANIFEST).is_file() and resume
     shards = read_kept(folder) if goes_on else None
     if shards is not None:
@@ -278,7 +278,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     """
     import xarray as xr
 
-    shards = read_kept(resolved(folder, home=True))
+    shards = read_kept(resolve_path(folder, home=True))
     spans = {number: shards.spans[number] for number in shards.names()}
     count = sum(end - first for first, end in spans.values())
     arrays: dict[str, Array] = {}

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import DescriptionError
 from jounce.core.phrases import Phrase
 from jounce.core.seeds import is_whole
-from jounce.core.waiting import told
+from jounce.core.waiting import report_work
 from jounce.parts import Rig, as_rig
 from jounce.recordings.carried import by_path
 from jounce.roads import HoldsTrial, Trial, as_trial
@@ -141,7 +141,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
             hint = "Give out=, a folder in which results are kept as they come."
             raise DescriptionError("goes with a folder of results", where=name, hint=hint)
     _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
-    with told(f"simulating {count:,} variants".replace(",", " ")):
+    with report_work(f"simulating {count:,} variants".replace(",", " ")):
         return work.run(columns, threads=threads)
 
 

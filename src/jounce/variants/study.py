@@ -13,13 +13,13 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole, line_of, read_description
 from jounce.core.errors import JounceError, as_found, at_line, below
-from jounce.core.misplaced import misplaced
+from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_json
-from jounce.core.text import guarded
+from jounce.core.text import guard_formula
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime, Unit
-from jounce.core.writing import resolved
+from jounce.core.writing import resolve_path
 from jounce.parts.files import load, rig_named_in
 from jounce.roads import Trial
 from jounce.roads.loading import load_road, read_roads
@@ -55,7 +55,7 @@ class SweepDesign(Description):
     def _check_count(self) -> SweepDesign:
         if (self.kind in ("list", "grid")) != (self.count is None):
             said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
-            raise misplaced(
+            raise error_at(
                 ("count",),
                 Phrase("a design of kind {kind!r} {said}", kind=self.kind, said=said),
                 found=as_found(self.count),
@@ -86,7 +86,7 @@ class SweepStudy(Description):
     @model_validator(mode="after")
     def _check_results(self) -> SweepStudy:
         if not self.metrics and not self.outputs:
-            raise misplaced(
+            raise error_at(
                 ("metrics",), "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs"
             )
         return self
@@ -150,8 +150,8 @@ class SweepResult(Plain):
         data = self.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
         names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
         frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
-        header = {name: guarded(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names}
-        frame = frame.map(lambda cell: guarded(cell) if isinstance(cell, str) else cell)
+        header = {name: guard_formula(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names}
+        frame = frame.map(lambda cell: guard_formula(cell) if isinstance(cell, str) else cell)
         return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
 
@@ -228,7 +228,7 @@ def run_sweep(
         say=say,
         command=command,
     )
-    shards = read_kept(resolved(out, home=True))
+    shards = read_kept(resolve_path(out, home=True))
     seed = sweep.study.design.seed if sweep.study.design.count is not None else None
     return SweepResult(str(study), str(out), str(shards.about["command"]), seed, summarise(data), data)
 

@@ -20,7 +20,7 @@ from functools import lru_cache
 from importlib import import_module, metadata
 from typing import Any
 
-from jounce.core.errors import JounceError, named
+from jounce.core.errors import JounceError, value_or_kind
 from jounce.core.optional import require
 from jounce.core.phrases import Phrase
 from jounce.core.process_settings import PROCESS_SETTINGS
@@ -194,7 +194,9 @@ def check_cluster(client: Any) -> None:
     distributed = require("distributed", "cluster")
     if not hasattr(client, "scheduler"):
         raise JounceError(
-            Phrase("{client} is no cluster", client=named(client)), where="client", allowed="a dask.distributed.Client"
+            Phrase("{client} is no cluster", client=value_or_kind(client)),
+            where="client",
+            allowed="a dask.distributed.Client",
         )
     where = str(getattr(client.scheduler, "address", "client"))
     try:

@@ -14,7 +14,7 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 
 from jounce.core.commands import command_line
-from jounce.core.description import dotted, toml_error, toml_table
+from jounce.core.description import join_path, toml_error, toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
 from jounce.web.answers import changed_by, described, rig_in, word
@@ -154,7 +154,7 @@ def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProble
     """What an error says, each problem at its value; where that is not in the text, words say the place."""
     found = []
     for each in error.problems or (error,):
-        path = dotted(each.path) or (each.where if each.where.partition(".")[0].partition("[")[0] in values else "")
+        path = join_path(each.path) or (each.where if each.where.partition(".")[0].partition("[")[0] in values else "")
         text = each.message(placed=not path)
         found.append(FormProblem(path, each.line or 0, text, text.german()))
     return tuple(found)

@@ -21,7 +21,11 @@ def progress_of(file: Path) -> set[str]:
             for _, name, value in _texts(scope):
                 texts.setdefault(name, []).append(value)
             for call in ast.walk(scope):
-                if isinstance(call, ast.Call) and _called(call) in ("told", "progress", "say") and len(call.args) == 1:
+                if (
+                    isinstance(call, ast.Call)
+                    and _called(call) in ("report_work", "progress", "say")
+                    and len(call.args) == 1
+                ):
                     what = call.args[0]
                     found |= set(_said(what.body if isinstance(what, ast.Lambda) else what, texts))
     return {re.sub("#+", "#", one) for one in found if one.strip("#:;. ")}
@@ -68,7 +72,7 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
         return [*_said(value.body, texts), *_said(value.orelse, texts)]
     if isinstance(value, ast.Call) and _called(value) == "format" and isinstance(value.func, ast.Attribute):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.func.value, texts)]
-    if isinstance(value, ast.Call) and _called(value) in ("Stage", "counted"):
+    if isinstance(value, ast.Call) and _called(value) in ("Stage", "progress_through"):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.args[0], texts)]
     if isinstance(value, ast.Call) and _called(value) == "replace" and isinstance(value.func, ast.Attribute):
         return _said(value.func.value, texts)

@@ -86,7 +86,7 @@ def test_a_band_without_excitation_is_named() -> None:
     (one,) = jn.estimate_transfer(jn.recording(np.arange(x.size) / 100.0, signals), "b.z", "a.z").findings
     assert one.code == "analysis.low_coherence"
     assert "hardly excites" in one.message
-    assert one.said("de").startswith("Die Kohärenz liegt")
+    assert one.sentence("de").startswith("Die Kohärenz liegt")
 
 
 @pytest.mark.parametrize(

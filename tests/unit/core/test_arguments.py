@@ -15,7 +15,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 import jounce as jn
-from jounce.core.arguments import _hints, fits, guarded, misfit
+from jounce.core.arguments import _hints, fits, guard_arguments, misfit
 
 RIG = jn.load("kart-quarter-car")
 TRIAL = jn.Trial(road=jn.Step(height="10 mm"), speed="3 m/s", duration="0.2 s")
@@ -73,7 +73,7 @@ def test_other_failures_are_left_alone() -> None:
     def inverse(of: float) -> float:
         return 1.0 / of
 
-    call = guarded(inverse, "inverse")
+    call = guard_arguments(inverse, "inverse")
     assert call(2.0) == 0.5
     assert call(NUMBERS)[1] == 0.5, "what works is not refused"
     for wrong, kind in ((0.0, ZeroDivisionError), ([1.0], jn.DescriptionError)):

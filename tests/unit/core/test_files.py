@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.files import chosen_file, existing_file, shipped_files
+from jounce.core.files import existing_file, find_file, shipped_files
 
 SHIPPED = {"soft": Path("library/soft.toml"), "stiff": Path("library/stiff.toml")}
 
@@ -16,15 +16,15 @@ def test_a_file_of_the_users_own_comes_before_a_shipped_one(tmp_path, monkeypatc
     monkeypatch.chdir(tmp_path)
     (tmp_path / "stiff").write_text("own")
     (tmp_path / "soft").mkdir()
-    assert chosen_file("stiff", SHIPPED, "rig") == Path("stiff")
-    assert chosen_file("soft", SHIPPED, "rig") == SHIPPED["soft"]  # a folder is no rig
-    assert chosen_file("none.toml", SHIPPED, "rig") == Path("none.toml")  # the reader says that it is missing
+    assert find_file("stiff", SHIPPED, "rig") == Path("stiff")
+    assert find_file("soft", SHIPPED, "rig") == SHIPPED["soft"]  # a folder is no rig
+    assert find_file("none.toml", SHIPPED, "rig") == Path("none.toml")  # the reader says that it is missing
 
 
 def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
     says = r"sof: no such file and no shipped rig of that name; allowed: a path to a .toml file, or one of soft, stiff"
     with pytest.raises(DescriptionError, match=rf"{says}\. Did you mean 'soft'\?"):
-        chosen_file("sof", SHIPPED, "rig")
+        find_file("sof", SHIPPED, "rig")
 
 
 def test_missing_files_and_folders_are_told_apart(tmp_path) -> None:

@@ -7,7 +7,7 @@ import threading
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 
-from jounce.core.process_settings import caught_warnings
+from jounce.core.process_settings import collect_warnings
 from jounce.plots.figures import library, style
 from jounce.recordings.readers import _quiet
 
@@ -35,7 +35,7 @@ def in_turns(context):
 
 def test_filters_of_warnings():
     before = list(warnings.filters)
-    in_turns(caught_warnings)
+    in_turns(collect_warnings)
     assert warnings.filters == before
 
 

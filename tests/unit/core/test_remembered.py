@@ -8,7 +8,7 @@ import sys
 import pytest
 
 import jounce as jn
-from jounce.core.remembered import Recent, remembered
+from jounce.core.remembered import Recent, once_per_object
 
 
 class Thing:
@@ -20,7 +20,7 @@ class Thing:
 
 def test_once_for_each_object_by_identity():
     asked = []
-    ask = remembered(lambda thing: asked.append(id(thing)) or len(asked))
+    ask = once_per_object(lambda thing: asked.append(id(thing)) or len(asked))
     one, other = Thing(), Thing()
     assert one == other
     assert [ask(one), ask(other), ask(one), ask(other)] == [1, 2, 1, 2]
@@ -28,7 +28,7 @@ def test_once_for_each_object_by_identity():
 
 def test_it_is_forgotten_with_the_object():
     asked = []
-    ask = remembered(lambda _: asked.append(1) or len(asked))
+    ask = once_per_object(lambda _: asked.append(1) or len(asked))
     known = next(cell.cell_contents for cell in ask.__closure__ if isinstance(cell.cell_contents, dict))
     for i in range(1, 50):
         assert ask(Thing()) == i  # new objects take the place of old ones in memory

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import pytest
 
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.core.results import Shows, fields_of, marks_of
 from jounce.core.shown import Shown
 from jounce.identify.estimate import Estimate
@@ -69,7 +69,7 @@ def test_rows_have_a_unit_each_where_units_differ() -> None:
 
 
 def test_chosen_units_and_notebooks() -> None:
-    with shown_in("imperial"):
+    with local_units("imperial"):
         assert "129.80" in str(FIT)
     page = FIT._repr_html_()
     assert "22.705 to 22.757" in page

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from jounce.core.description import schema_told
+from jounce.core.description import schema_named_in
 
 
 @pytest.mark.parametrize(
@@ -23,10 +23,10 @@ from jounce.core.description import schema_told
 def test_the_line_is_found_however_it_is_written(tmp_path: Path, text: str, told: str) -> None:
     file = tmp_path / "study.toml"
     file.write_text(text, encoding="utf-8")
-    assert schema_told(file) == told
+    assert schema_named_in(file) == told
 
 
 def test_what_is_no_file_of_toml_names_none(tmp_path: Path) -> None:
     (tmp_path / "study.txt").write_text('schema = "jounce.optimisation/1"\n', encoding="utf-8")
-    assert [schema_told(tmp_path / name) for name in ("study.txt", "missing.toml", ".")] == ["", "", ""]
-    assert schema_told(Path("audi-a6-quarter-car")) == ""
+    assert [schema_named_in(tmp_path / name) for name in ("study.txt", "missing.toml", ".")] == ["", "", ""]
+    assert schema_named_in(Path("audi-a6-quarter-car")) == ""

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown, dataset_html, html_table
 from jounce.parts import library
@@ -63,7 +63,7 @@ def test_descriptions_are_short_and_say_where_the_rest_is(name: str) -> None:
 def test_numbers_have_the_units_that_are_chosen() -> None:
     rig = jn.load("kart-quarter-car")
     assert re.search(r"strut\.spring\.rate 22\.73 N/mm", text_of(rig._repr_html_()))
-    with shown_in("imperial"):
+    with local_units("imperial"):
         assert re.search(r"strut\.spring\.rate 129\.79 lbf/in", text_of(rig._repr_html_()))
     bump = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
     assert re.search(r"height 10 mm length 60 mm", text_of(bump._repr_html_()))

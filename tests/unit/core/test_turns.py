@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from jounce.core.remembered import Recent, remembered
+from jounce.core.remembered import Recent, once_per_object
 from jounce.core.turns import once, turn
 
 THREADS = 8
@@ -43,7 +43,7 @@ class Thing:
 
 def ways():
     by_property, by_key, beside = Thing(), Thing(), Thing()
-    recent, ask = Recent(), remembered(lambda thing: thing.slowly())
+    recent, ask = Recent(), once_per_object(lambda thing: thing.slowly())
     return {
         "once": (by_property, lambda: by_property.part),
         "Recent": (by_key, lambda: recent.of("key", by_key.slowly)),

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from jounce.core import waiting
-from jounce.core.waiting import heard_by, told
+from jounce.core.waiting import heard_by, report_work
 
 
 @pytest.fixture(autouse=True)
@@ -26,7 +26,7 @@ def wait_for(ready, seconds=10.0):
 
 
 def test_a_long_wait_is_logged_again_and_again_with_its_time(caplog):
-    with caplog.at_level(logging.WARNING, "jounce"), told("compiling the model"):
+    with caplog.at_level(logging.WARNING, "jounce"), report_work("compiling the model"):
         wait_for(lambda: len(caplog.messages) >= 3)
     assert set(caplog.messages) <= {f"compiling the model, {i} s" for i in range(11)}
     count = len(caplog.messages)
@@ -36,7 +36,7 @@ def test_a_long_wait_is_logged_again_and_again_with_its_time(caplog):
 
 def test_how_far_it_has_come_is_asked_each_time(caplog):
     done = iter(range(10_000))
-    with caplog.at_level(logging.WARNING, "jounce"), told(lambda: f"design {next(done)} of many"):
+    with caplog.at_level(logging.WARNING, "jounce"), report_work(lambda: f"design {next(done)} of many"):
         wait_for(lambda: len(caplog.messages) >= 2)
     assert caplog.messages[0].startswith("design 0 of many, ")
     assert caplog.messages[1].startswith("design 1 of many, ")
@@ -53,33 +53,33 @@ def test_the_longer_it_lasts_the_fewer_lines_say_so(caplog, monkeypatch):
     monkeypatch.setattr(waiting, "LOGGED_EVERY", 2.0)
     monkeypatch.setattr(waiting, "SHOWN_EVERY", 0.5)
     monkeypatch.setattr(waiting, "time", SimpleNamespace(sleep=sleep, monotonic=lambda: passed[0]))
-    with caplog.at_level(logging.WARNING, "jounce"), told("compiling the model"):
+    with caplog.at_level(logging.WARNING, "jounce"), report_work("compiling the model"):
         wait_for(lambda: passed[0] >= 100.0)
     assert caplog.messages == [f"compiling the model, {i} s" for i in (2, 4, 8, 16, 32, 62, 92)]
 
 
 def test_a_short_one_is_not(caplog, monkeypatch):
     monkeypatch.setattr(waiting, "LOGGED_EVERY", 60.0)
-    with told("compiling the model"):
+    with report_work("compiling the model"):
         pass
     assert not caplog.messages
 
 
 def test_whoever_listens_is_told_instead_and_when_it_is_done(caplog):
     heard = []
-    with heard_by(heard.append), told("compiling"):
+    with heard_by(heard.append), report_work("compiling"):
         wait_for(lambda: heard)
     assert heard[-1] is None
     assert set(heard[:-1]) <= {f"compiling, {i} s" for i in range(11)}
     assert not caplog.messages
-    with told("compiling"):
+    with report_work("compiling"):
         pass
     assert heard[-1] is None
 
 
 def test_a_part_of_a_wait_is_not_told_again():
     heard = []
-    with heard_by(heard.append), told("whole"), told("part"):
+    with heard_by(heard.append), report_work("whole"), report_work("part"):
         wait_for(lambda: heard)
     assert not [text for text in heard if text and "part" in text]
 
@@ -88,14 +88,14 @@ def test_an_error_ends_it():
     heard = []
 
     def fail():
-        with told("compiling"):
+        with report_work("compiling"):
             wait_for(lambda: heard)
             raise ValueError("no code")
 
     with heard_by(heard.append), pytest.raises(ValueError, match="no code"):
         fail()
     assert heard[-1] is None
-    with heard_by(heard.append), told("again"):
+    with heard_by(heard.append), report_work("again"):
         wait_for(lambda: any(text and text.startswith("again") for text in heard))
 
 

@@ -35,7 +35,7 @@ def record(road: jn.Road, speed: float, *, begin: float = 3.3, duration: float =
 
 
 def on_belt(road: jn.Road) -> jn.Road:
-    return road.changed(recurrence=BELT)
+    return road.with_fields(recurrence=BELT)
 
 
 @pytest.mark.parametrize("speed", [1.95, 2.86, 3.87])

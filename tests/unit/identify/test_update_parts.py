@@ -235,7 +235,7 @@ def test_tracks_are_made_higher_and_later(track: str) -> None:
         np.testing.assert_allclose(higher, (factor * value, factor * rate), rtol=1e-12, atol=1e-12)
     circle = Segments(np.array([0.0, 2.0]), np.array([CIRCLE]), np.array([[0.1, 1.5, 0.7, -1.0]]))
     np.testing.assert_allclose(circle.times(1.3).evaluate(time), 1.3 * np.array(circle.evaluate(time)), rtol=1e-12)
-    later = given.stretched(2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
+    later = given.stretch_to(2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
     np.testing.assert_allclose(later, (value, rate / 1.6), rtol=1e-9, atol=1e-9)
 
 

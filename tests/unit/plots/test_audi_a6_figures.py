@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.core.errors import RecordingError
 from jounce.papers.audi_a6 import AudiCase, run_audi_a6
 from jounce.papers.audi_a6_exciter import EccentricExciter, run_eccentric_exciter
@@ -76,11 +76,11 @@ def test_figures_of_the_cases_follow_the_chosen_units(case, exciter):
     }
     for channel, (label, size) in sizes.items():
         usual = case_curve(case, channel).axes[0].lines[0].get_ydata()
-        with shown_in("imperial"):
+        with local_units("imperial"):
             axes = case_curve(case, channel).axes[0]
         assert axes.get_ylabel() == label
         np.testing.assert_allclose(axes.lines[0].get_ydata(), np.asarray(usual) * size, rtol=1e-6)
-    with shown_in("imperial"):
+    with local_units("imperial"):
         labels = [axes.get_ylabel() for axes in (*exciter_spring(exciter).axes, *exciter_torque_curve(exciter).axes)]
         page = audi_case_page(case)
     assert labels == [

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.core.display import SYSTEMS, chosen_units, display_unit, shown_as, shown_in, size
+from jounce.core.display import SYSTEMS, current_units, display_unit, display_unit_for, local_units, size
 from jounce.core.errors import DescriptionError
 from jounce.core.units import conversion_factor
 from jounce.identify.force_deflection import ForceDeflectionTrial
@@ -25,7 +25,7 @@ IN = 1.0 / 0.0254
 
 @pytest.fixture
 def imperial():
-    with shown_in("imperial"):
+    with local_units("imperial"):
         yield
 
 
@@ -50,26 +50,26 @@ def test_units_by_size_and_by_words(imperial: None) -> None:
     assert display_unit("m/s", 4.0).name == "mph"
     assert display_unit("m", -10.0).name == "ft"
     assert display_unit("N", 1e6).name == "lbf"
-    assert shown_as("m/s", "speed") == display_unit("m/s", 10.0)
-    assert shown_as("kN").factor == pytest.approx(224.8089, rel=1e-6)
-    assert shown_as("in").factor == pytest.approx(1.0, rel=1e-12)  # what is converted already
-    assert shown_as("psi").factor == pytest.approx(1.0, rel=1e-12)
+    assert display_unit_for("m/s", "speed") == display_unit("m/s", 10.0)
+    assert display_unit_for("kN").factor == pytest.approx(224.8089, rel=1e-6)
+    assert display_unit_for("in").factor == pytest.approx(1.0, rel=1e-12)  # what is converted already
+    assert display_unit_for("psi").factor == pytest.approx(1.0, rel=1e-12)
     assert size(0.31, "MPa") == "44.96 psi"
     assert given(1.95, "m/s", "speed") == "4.362 mph"
     for unit in ("s", "Hz", "%", "g", "°", "no unit", "SI"):
-        assert shown_as(unit).name == unit
-        assert shown_as(unit).factor == 1.0
+        assert display_unit_for(unit).name == unit
+        assert display_unit_for(unit).factor == 1.0
 
 
 def test_a_block_and_a_choice_end_where_they_should() -> None:
-    assert chosen_units() == "metric"
-    with suppress(ZeroDivisionError), shown_in("imperial"):
-        assert chosen_units() == "imperial"
+    assert current_units() == "metric"
+    with suppress(ZeroDivisionError), local_units("imperial"):
+        assert current_units() == "imperial"
         raise ZeroDivisionError
-    assert chosen_units() == "metric"
+    assert current_units() == "metric"
     with pytest.raises(DescriptionError, match=r"unknown system of units 'imperal'; .*Did you mean 'imperial'"):
         jn.use_units("imperal")
-    assert chosen_units() == "metric"
+    assert current_units() == "metric"
     assert size(0.31, "MPa") == "0.31 MPa"
 
 
@@ -108,7 +108,7 @@ LABELS = {
 
 def test_curves_have_the_units_of_their_labels() -> None:
     before = drawn()
-    with shown_in("imperial"):
+    with local_units("imperial"):
         after = drawn()
     for name, (across, up, x_size, y_size) in LABELS.items():
         for (_, _, x, y), (x_label, y_label, *found) in zip(before[name], after[name], strict=True):
@@ -136,7 +136,7 @@ def test_a_mechanism_has_its_places_in_inches() -> None:
             found.append((axes.get_xlabel(), [(place, axis.get_major_formatter()(place, 0)) for place in places]))
         return found
 
-    with shown_in("imperial"):
+    with local_units("imperial"):
         inches = ticks()
     for (metric, _), (label, places) in zip(ticks(), inches, strict=True):
         assert label == metric.replace("[mm]", "[in]")

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from jounce.core.display import shown_in
+from jounce.core.display import local_units
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
@@ -111,7 +111,7 @@ def test_the_viewer_speaks_the_language_of_its_page(sound: VehicleGrade, record:
 
 def test_units_are_those_of_the_test_methods(sound: VehicleGrade, record: xr.Dataset) -> None:
     usual = protocol_html(sound, records={"front": record})
-    with shown_in("imperial"):
+    with local_units("imperial"):
         page = protocol_html(sound, records={"front": record})
     said = " Units are those of the test methods (EUSAMA, EGEA), whatever display units are chosen."
     assert said not in usual

@@ -25,7 +25,7 @@ from jounce.core.child_processes import ChildProcess
 from jounce.core.errors import DescriptionError, ResourceError, SimulationError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
-from jounce.core.text import qualify, shortened
+from jounce.core.text import qualify, shorten
 from jounce.core.trust import trust_said
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -355,7 +355,7 @@ class _Connection:
                 some = ", ".join(_index(v, at) for at in open_[:_NAMED])
                 left.append(some + (f" and {len(open_) - _NAMED} more" if len(open_) > _NAMED else ""))
             elif open_:
-                left.append(f"{v.name} = {shortened(v.start, _LONGEST) or '0'}")
+                left.append(f"{v.name} = {shorten(v.start, _LONGEST) or '0'}")
         if left:
             note = finding("control.inputs_left", str(self.component.path), inputs=", ".join(left))
             self.findings += [note] if note not in self.findings else []

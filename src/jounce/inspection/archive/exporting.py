@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
-from jounce.core.text import guarded_row
+from jounce.core.text import guard_row
 from jounce.core.writing import Formats
 from jounce.inspection.methods import METHODS
 from jounce.inspection.quantities import NUMBERS
@@ -88,7 +88,7 @@ def _write_csv(rows: Sequence[Row], file: Path) -> None:
     with file.open("w", encoding="utf-8", newline="") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(COLUMNS)
-        writer.writerows(guarded_row(row.get(name) for name in COLUMNS) for row in rows)
+        writer.writerows(guard_row(row.get(name) for name in COLUMNS) for row in rows)
 
 
 def _write_parquet(rows: Sequence[Row], file: Path) -> None:

@@ -13,7 +13,7 @@ from jounce.core.operation import Count, File, Mark, Switch, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.inspection.archive.entries import StoredRecord
 from jounce.inspection.archive.exporting import check_export, export, rows_of
 from jounce.inspection.archive.history import Trend, WheelVisit, day_number, history_of, trends_of
@@ -466,6 +466,6 @@ def reevaluate_inspections(
             tester=chosen,
             workers=workers,
             from_files=from_files,
-            say=lambda done, number: progress(counted("evaluated {which} of {count}", done, number)),
+            say=lambda done, number: progress(progress_through("evaluated {which} of {count}", done, number)),
         )
     return ReevaluatedStore(opened.location, graded_by.label, result)

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from jounce.core.remembered import remembered
+from jounce.core.remembered import once_per_object
 from jounce.core.types import Array
 from jounce.kernel.arrays import Integers, Matrix, Vector
 from jounce.kernel.call import Loop
@@ -135,7 +135,7 @@ def _looked_at(times: Array) -> tuple[float, Integers]:
     return typical, np.append(np.flatnonzero(np.abs(distances - typical) > _slack(times)), len(times) - 1)
 
 
-_spacing = remembered(_looked_at)
+_spacing = once_per_object(_looked_at)
 
 
 def _slack(times: Array) -> float:

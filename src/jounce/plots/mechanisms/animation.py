@@ -16,7 +16,7 @@ from jounce.core.optional import MissingPackageError
 from jounce.core.programs import program_on_path
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.core.waiting import counted
+from jounce.core.waiting import progress_through
 from jounce.core.writing import Formats
 from jounce.plots.figures import INK, MUTED, style
 from jounce.plots.mechanisms.drawing import (
@@ -187,7 +187,7 @@ def _frames(motion: Animation) -> Iterator[Pictures.Image]:
         canvas = FigureCanvasAgg(film.figure)
         for k in motion.order:
             if k not in drawn:
-                motion.say(counted("drawing picture {which} of {count}", k + 1, len(motion.poses)))
+                motion.say(progress_through("drawing picture {which} of {count}", k + 1, len(motion.poses)))
                 film.show(k)
                 canvas.draw()  # type: ignore[no-untyped-call]
                 picture = Image.fromarray(np.asarray(canvas.buffer_rgba()).copy())  # type: ignore[no-untyped-call]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import display_unit, display_unit_for
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.writing import write_files
@@ -88,7 +88,7 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     across = (0.0, 1.0, 0.0)
     views = axis_view("front view", across, (0.0, 0.0, 1.0)), axis_view("top view", across, (-1.0, 0.0, 0.0))
     largest = max(float(np.linalg.norm(force)) for _, pose, loads in wheels for _, _, force in _forces(pose, loads))
-    length, force_unit = display_unit("m"), shown_as("kN")
+    length, force_unit = display_unit("m"), display_unit_for("kN")
     labels = ("front", length.label("z")), ("top", length.label("x"))
     for k, (view, (label, up)) in enumerate(zip(views, labels, strict=True)):
         axes = figure.add_axes((0.07, 0.55 - 0.46 * k, 0.90, 0.38), label=label)
@@ -179,7 +179,7 @@ def _label_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]]
     """Write the sizes of forces beside the free ends of their arrows, the largest first, without overlaps."""
     from matplotlib.patheffects import withStroke
 
-    unit = shown_as("kN")
+    unit = display_unit_for("kN")
     sizes = [(float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces]
     large = sorted((arrow for arrow in sizes if arrow[0] >= _LABELLED * largest), key=lambda arrow: -arrow[0])
     to_points = axes.transData + axes.figure.dpi_scale_trans.inverted()
