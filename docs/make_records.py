@@ -97,7 +97,7 @@ def counted(verdicts: Verdicts) -> dict[str, object]:
 def table() -> str:
     """Counts of each command."""
     lines = [
-        "| command | files | right | told | refused | no file can tell | silently wrong |",
+        "| command | files | right | reported | refused | undetectable | silently wrong |",
         "|---" + "|---:" * 6 + "|",
     ]
     for command, found in json.loads(FILE.read_text(encoding="utf-8")).items():
