@@ -113,6 +113,7 @@ def _check(reference: Array, compared: Array, time: Array, place: str) -> None:
     if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
         raise FitError("a signal to be compared holds values that are not finite", where=place)
     steps = np.diff(time)
+    # 1 %, as for recordings.
     if not (steps > 0.0).all() or np.ptp(steps) > 0.01 * float(np.median(steps)):
         raise FitError("time does not ascend in constant steps", where=place, hint="Resample the recording first.")
 
@@ -133,11 +134,11 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
 
 Grade = Literal["excellent", "good", "fair", "poor"]
 # Default parameters of ISO/TS 18571:2014, but for the shortest signal:
-SAMPLE_RATE = 10_000.0
-INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2
-LARGEST_SHIFT = 0.2
-WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = 0.1, 0.5, 2.0
-WEIGHTS = (0.4, 0.2, 0.2, 0.2)
+SAMPLE_RATE = 10_000.0  # Hz
+INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2  # of the largest absolute value; 1
+LARGEST_SHIFT = 0.2  # of the length
+WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = 0.1, 0.5, 2.0  # of the length, of the reference's size
+WEIGHTS = (0.4, 0.2, 0.2, 0.2)  # of corridor, phase, magnitude and slope
 SHORTEST = 12  # samples: slopes are averaged over nine
 GRADES: tuple[tuple[float, Grade], ...] = ((0.94, "excellent"), (0.80, "good"), (0.58, "fair"))
 _TIE = 1e-12  # correlation: rounding makes no better shift

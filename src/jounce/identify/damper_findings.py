@@ -44,6 +44,8 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
     shapes = [key for (key, _), is_signed in zip(law.shapes, law.signed, strict=True) if not is_signed]
     if not law.hysteretic:
         hysteresis = hysteresis_share(motion)
+        # The magneto-rheological records have 8 to 10 %; simulated viscous dampers have 1 % with 5 % noise, 2 % with a
+        # force that is 25 mrad late.
         if hysteresis > 0.04:
             add("identify.hysteresis", hysteresis, share=hysteresis)
         offset = parameters["offset"]
@@ -64,13 +66,13 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
         value = parameters[key].value
         add("identify.law_at_bound", value, key=key, value=value, unit=result.units[key])
     for key, one in parameters.items():
-        vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)
+        vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)  # zero is within 95 %
         if vague and key in shapes:
             numbers = {"value": one.value, "error": one.standard_error}
             add("identify.poorly_determined", one.standard_error, key=key, unit=result.units[key], **numbers)
-    if result.cycles < 3.0:
+    if result.cycles < 3.0:  # hardly a cycle is neither the first nor the last
         add("identify.few_cycles", result.cycles, cycles=result.cycles)
-    if result.r2 < 0.9:
+    if result.r2 < 0.9:  # a line leaves 10 to 16 % of the magneto-rheological records unexplained
         add("identify.law_explains_little", result.r2, share=result.r2)
     return findings
 
@@ -88,6 +90,7 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
     usual = float(np.median(np.abs(residual))) / 0.6745
     spikes = np.abs(residual) > _FAR * usual
     theirs = float(np.sum(residual[spikes] ** 2)) / max(float(residual @ residual), 1e-300)
+    # Spikes are named where they make more of the residual than all other samples together.
     if usual > 0.0 and 0 < np.count_nonzero(spikes) < _FEW * len(residual) and theirs > 0.5:
         findings.append(
             finding(
@@ -101,7 +104,7 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
         )
         speed, fitted, residual = speed[~spikes], fitted[~spikes], residual[~spikes]
     reach = float(np.ptp(fitted))
-    if result.cycles < 2.0 or reach <= 0.0:
+    if result.cycles < 2.0 or reach <= 0.0:  # a single cycle does not tell a change in time from one with velocity
         return findings
     place, force = np.linspace(-0.5, 0.5, len(residual)), fitted - fitted.mean()
     bent = [force * np.abs(speed), np.maximum(speed, 0.0), np.minimum(speed, 0.0)]
@@ -150,8 +153,10 @@ def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
 
     sharp = regularisation_velocity(motion)
     without, (left, step) = fitted()[0], fitted(np.tanh(motion.velocity / sharp))
+    # A choice: lower calls bends of a curve a step, higher misses weak friction; the magneto-rheological damper without
+    # current steps by 21 % of its range.
     if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
         return None
     knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
     soft, height, knee = min((*fitted(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp)
-    return (height, knee) if soft < 0.9 * left else (step, sharp)
+    return (height, knee) if soft < 0.9 * left else (step, sharp)  # of two that fit alike, friction

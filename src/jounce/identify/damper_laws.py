@@ -54,6 +54,7 @@ class AlongPath(SampledPoint):
         """Follow the normalised Bouc-Wen state along the path."""
         x, start = np.ascontiguousarray(self.deflection), self.start
         if start is None:
+            # Noise at a turn moves the first samples, but not by a twentieth of the stroke.
             start = -float(np.sign(x[np.argmax(np.abs(x - x[0]) > 0.05 * np.ptp(x))] - x[0]))
         shapes = {shape: float(self.number(shape)) for shape in BoucWenDamper.shapes}
         return bouc_wen_path(x, start=start, **shapes)

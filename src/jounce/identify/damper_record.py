@@ -110,7 +110,7 @@ def read_motion(
     sound = np.flatnonzero(~lost[first:last]) + first
     x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
     cycles = cycles_of(x)
-    if cycles < 0.95:
+    if cycles < 0.95:  # one that was cut a little short has all velocities still
         raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
     signs = damper_signs(
         x, derivative, f, stroke_positive=stroke_positive, force_positive=force_positive, name=name, findings=findings
@@ -178,7 +178,7 @@ _CLIPPED = 2e-3  # of the samples: limits that a steady sine touches for so long
 def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
     """Give the velocity with the sign of the displacement's derivative."""
     gain = float(velocity @ derivative) / float(derivative @ derivative)
-    if gain > -0.5:
+    if gain > -0.5:  # half way from a reversed velocity (-1) to one that has nothing to do with the stroke (0)
         return velocity
     findings.append(finding("identify.velocity_reversed", name, gain, factor=gain))
     return -velocity
@@ -193,12 +193,12 @@ def _check_velocity(
     slope = np.gradient(derivative, time)
     delay = -float((velocity - derivative) @ slope) / float(slope @ slope)
     step = float(np.median(np.diff(time)))
-    if abs(gain - 1.0) > 0.05:
+    if abs(gain - 1.0) > 0.05:  # the coefficient is wrong by as much
         findings.append(finding("identify.velocity_gain", name, gain, factor=gain))
-    elif abs(delay) > 0.2 * step and source == "recorded":
+    elif abs(delay) > 0.2 * step and source == "recorded":  # a choice: channels on one clock agree far better
         findings.append(finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step))
     resolution = quantum_of(np.round(velocity, 9))
-    if resolution > 1e-3 * float(np.abs(velocity).max()):
+    if resolution > 1e-3 * float(np.abs(velocity).max()):  # slow motion, a tenth of the peak, is then known to 1 %
         findings.append(finding("identify.velocity_steps", name, resolution, step=resolution))
     return resolution
 
@@ -210,7 +210,7 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
     turns = np.diff(zigzag(_smooth(x), 0.05 * float(np.ptp(x))))[1:]
     widest = int(_WIDEST * turns.min()) if len(turns) else 0
     noise = max(noise_of(x), quantum_of(x) / math.sqrt(12.0))
-    if float(np.ptp(steps)) > 0.01 * step:
+    if float(np.ptp(steps)) > 0.01 * step:  # no even steps, over which a cubic could be fitted
         widest = 0
     power = float(np.mean((_slope(x, widest) / step) ** 2 if widest > 1 else plain**2))
 
@@ -279,7 +279,7 @@ def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
     """
     stroke = float(np.ptp(displacement))
     side = displacement - 0.5 * float(displacement.max() + displacement.min())
-    clear = np.sign(side[np.abs(side) > 0.1 * stroke])
+    clear = np.sign(side[np.abs(side) > 0.1 * stroke])  # noise in the middle of the stroke makes no crossings
     turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
     path = float(np.abs(np.diff(turns)).sum())
     return max(0.5 * float(np.count_nonzero(np.diff(clear)) + is_closed), path / (2.0 * stroke))

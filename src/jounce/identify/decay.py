@@ -81,7 +81,7 @@ class Peaks:
 
 _SUDDEN = 2.0  # times the larger of the two swings before: a hit, as a free decay only falls
 _GROWS = 1.02  # times the swing before: a beat goes on growing behind a knot
-_FEWEST = 20  # samples
+_FEWEST = 20  # samples: nearly three for each of the seven parameters of a response
 
 
 def find_release(signal: Array, noise: float) -> int:
@@ -93,7 +93,7 @@ def find_release(signal: Array, noise: float) -> int:
     tail = float(np.median(signal[-max(5, len(signal) // 10) :]))
     away = np.abs(_smooth(signal, noise) - tail)
     top = int(np.argmax(away))
-    fallen = np.flatnonzero(away[top:] < 0.7 * away[top])
+    fallen = np.flatnonzero(away[top:] < 0.7 * away[top])  # an eighth of a cycle after the release
     end = top + (int(fallen[0]) if len(fallen) else len(signal) - top)
     limit = float(away[top]) - max(0.02 * float(away[top]), 3.0 * noise)
     return int(top + np.flatnonzero(away[top:end] >= limit)[-1])
@@ -144,6 +144,7 @@ def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
     """
     swing = np.abs(np.diff(peaks.value))
     for i in range(2, len(swing)):
+        # Swings that are small, or little above the noise, may double by chance.
         is_sudden = swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise
         if is_sudden and not (len(swing) > i + 2 and swing[i + 2] > _GROWS * swing[i + 1] > _GROWS**2 * swing[i]):
             return Peaks(peaks.time[: i + 1], peaks.value[: i + 1])
@@ -164,14 +165,14 @@ def _half_period(time: Array, turns: list[int]) -> float:
 
 
 def _parabola(time: Array, signal: Array, smooth: Array, index: int, half: float) -> tuple[float, float]:
-    near = np.abs(time - time[index]) <= half / 10.0
+    near = np.abs(time - time[index]) <= half / 10.0  # there a cosine is a parabola to 0.04 % of its height
     near[max(index - 1, 0) : index + 2] = True
     local = time[near] - time[index]
     if len(local) < 3:
         return float(time[index]), float(smooth[index])
     square, slope, level = np.polyfit(local, signal[near], 2)
     shift = -slope / (2.0 * square) if square != 0.0 else 0.0
-    if abs(shift) > half / 8.0:
+    if abs(shift) > half / 8.0:  # a vertex beyond the samples is one of noise
         return float(time[index]), float(smooth[index])
     return float(time[index] + shift), float(level + 0.5 * slope * shift)
 
@@ -292,7 +293,7 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
 def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples until the swings are below a fifth of the first, at least three half cycles."""
     swing = np.abs(np.diff(peaks.value))
-    small = np.flatnonzero(swing < 0.2 * swing[0])
+    small = np.flatnonzero(swing < 0.2 * swing[0])  # a choice: later swings are friction and noise more and more
     index = max(3, int(small[0]) if len(small) else len(swing))
     early: NDArray[np.bool_] = t <= float(peaks.time[min(index, len(swing))])
     return early if np.count_nonzero(early) >= _FEWEST else np.ones(len(t), bool)
@@ -371,6 +372,7 @@ def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
     """0 at samples next to a turning point, where friction makes the acceleration jump, 1 elsewhere."""
     damped = parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2)
     phase = (t - parameters.release_time) * damped / math.pi
+    # Acceleration changes within a step there: two samples at most are less than 0.6 steps away.
     return (np.abs(phase - np.round(phase)) > 0.6 * float(np.median(np.diff(phase)))).astype(float)
 
 
@@ -500,6 +502,7 @@ def search_decay(
     if order_of(quantity) == 0 and np.count_nonzero(rest) >= 10:
         alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
         gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
+        # Four standard errors happen by chance once in 16 000 records; smaller gaps are misfit, or change no result.
         if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
             findings.append(finding("identify.static_friction", name, gap, gap=motion_of(quantity).say(gap)))
             used, (values, spread, residual) = ~rest, alone
@@ -550,6 +553,7 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples at the end during which nothing moves."""
     tail = signal[-max(5, len(signal) // 20) :]
+    # A choice: three times the noise, whose estimate scatters, and a thousandth of the range.
     if float(tail.std()) > 3.0 * noise_of(signal) + 1e-3 * float(np.ptp(signal)):
         return np.zeros(len(t), bool)  # the record ends while it moves
     still = max(4.0 * float(tail.std()), 1e-3 * float(np.ptp(signal)))
@@ -931,7 +935,7 @@ def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_o
             refusal = refusal or error
         else:
             fits = part.r2 >= _EXPLAINED and part.early_misfit < _STILL_HIT
-            if fits or best is None or part.r2 > best[1].r2 + 0.01:
+            if fits or best is None or part.r2 > best[1].r2 + 0.01:  # of releases that explain alike, the first
                 best = (attempt, part)
             if fits:
                 break
@@ -1125,14 +1129,14 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         is_far, begin = reach > math.pi, motion.say(reach)
     if is_far:
         add("identify.decay_begins_far", reach, begin=begin)
-    if cycles < 1.5:
+    if cycles < 1.5:  # four turning points, one more than damping and friction need
         add("identify.decay_few_cycles", cycles, cycles=cycles)
     samples = 2.0 * math.pi / p.angular_frequency / step
-    if samples < 20.0:
+    if samples < 20.0:  # the parabola of a turning point has three samples at most (`_parabola`)
         add("identify.few_samples_per_cycle", samples, samples=samples)
-    if result.r2 < 0.98:
+    if result.r2 < _EXPLAINED:
         add("identify.decay_explains_little", result.r2, share=result.r2)
-    elif spread.correlation_time > 4.0 and result.rms_residual > 1e-6 * abs(p.release_deflection):
+    elif spread.correlation_time > _ALIKE_FOR and result.rms_residual > 1e-6 * abs(p.release_deflection):
         add("identify.residuals_correlated", spread.correlation_time)
     if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > _OFF:
         share = result.stiffness.value / stiffness - 1.0
@@ -1201,7 +1205,7 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
     centres = [result.equilibrium for result in results if result.equilibrium is not None]
     findings = [finding for result in results for finding in result.findings]
     frequencies = [result.natural_frequency_hz.value for result in results]
-    if np.ptp(frequencies) > 0.05 * float(np.mean(frequencies)):
+    if np.ptp(frequencies) > 0.05 * float(np.mean(frequencies)):  # stiffness differs by a tenth
         findings.append(
             finding(
                 "identify.decay_frequencies_range",

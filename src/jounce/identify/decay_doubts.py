@@ -50,6 +50,7 @@ def spring_that_is_no_line(
     ``turns`` are the displacements at successive turning points, at ``times`` (s).
     """
     swing = np.abs(np.diff(turns))
+    # Their amplitude is at least ten times the noise and three times what friction shifts; smaller ones say little.
     clear = swing > max(20.0 * noise, 0.05 * swing[0], 6.0 * parameters.friction_deflection)
     count = int(np.argmin(clear)) if not clear.all() else len(clear)
     times, sizes = times[1 : count + 1], swing[1:count]

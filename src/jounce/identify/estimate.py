@@ -156,7 +156,7 @@ def correlation_time(residual: Array) -> float:
         correlation[1 : count // 2 : 2][: (count // 2 - 1) // 2]
         + correlation[2 : count // 2 : 2][: (count // 2 - 1) // 2]
     )
-    negative = np.flatnonzero(pairs <= 2.0 / math.sqrt(count))
+    negative = np.flatnonzero(pairs <= 2.0 / math.sqrt(count))  # 95 % of white noise are below
     stop = int(negative[0]) if len(negative) else len(pairs)
     return float(max(1.0, 1.0 + 2.0 * pairs[:stop].sum()))
 

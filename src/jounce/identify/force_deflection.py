@@ -159,7 +159,7 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
         )
     findings += _slip(seated) or _falls(seated)
     back = float((np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max())
-    if back > 0.02 * float(np.ptp(deflection)):
+    if back > 0.02 * float(np.ptp(deflection)):  # a choice: lower names noise, higher hides a return
         findings.append(
             finding(
                 "identify.deflection_reverses", trial.name, back, word=motion.deflection_word, back=motion.say(back)
@@ -242,7 +242,7 @@ def _first_contact(
     if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
         findings.append(finding("identify.zeros_recorded", name, force[0], pulled=motion.pulled, pushed=motion.pushed))
         return 0.0, 0.0, 0
-    if abs(force[0]) > 0.02 * largest:
+    if abs(force[0]) > 0.02 * largest:  # a choice: lower names the noise of a cell, higher hides a preload
         findings.append(
             finding(
                 "identify.starts_loaded",
@@ -267,6 +267,7 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
     regressors = np.column_stack([deflection[flat], np.ones(last + 1)])
     found, _, spread = linear_least_squares(regressors, force[flat])
     upper = float(found[0]) + 2.0 * float(np.sqrt(spread.covariance[0, 0]))
+    # A tenth of the mean stiffness: a soft start of a spring is stiffer.
     return upper < 0.1 * float(np.ptp(force[: turn + 1])) / stroke
 
 
@@ -275,7 +276,7 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
     deflection, force = trial.branch("loading")
     below = force[deflection < (1.0 - _TOP) * deflection.max()]  # nearer to the top noise mixes both branches
     drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
-    if drop <= 0.03 * float(np.ptp(force)):
+    if drop <= 0.03 * float(np.ptp(force)):  # a choice, above noise of a per cent or two
         return []
     motion = trial.motion
     return [
@@ -360,7 +361,7 @@ def _out_of_range(trial: SeatedTrial) -> list[Finding]:
     ]
 
 
-_FEWEST_FLAT = 6  # samples
+_FEWEST_FLAT = 6  # samples; a choice: fewer may be noise at the top
 
 
 def _drift(trial: SeatedTrial) -> list[Finding]:

@@ -31,6 +31,7 @@ def low_pass_corner(
     at = np.fft.rfftfreq(count, 1.0 / rate)
     between = np.abs(at / frequency - np.round(at / frequency)) > _HARMONIC
     powers, top = [], 0.48 * rate
+    # Below three times the frequency the motion leaves no lines for noise.
     while top > 3.0 * frequency and np.count_nonzero(inside := between & (at > 0.5 * top) & (at <= top)) >= 3:
         powers.append(float(np.quantile(spectrum[inside], 0.25)))
         top *= 0.5
@@ -40,6 +41,7 @@ def low_pass_corner(
     rounded = step**2 / (6.0 * rate)
     if most < _FALL * max(end, 1e-300) or (powers[2] < _STEADY * end and end > _ROUNDING * rounded):
         return None
+    # A quarter of the power, half the amplitude, is left within the octave of the corner of a second order.
     octave = next(k for k, power in enumerate(powers) if power > 0.25 * most)
     corner = 0.48 * rate * 0.5**octave / np.sqrt(2.0)
     return float(corner) if corner < near * frequency else None

@@ -50,9 +50,11 @@ if TYPE_CHECKING:
 _FEWEST, _MOST = 1000, 10_000_000  # draws: 25 lie beyond each end of a 95 % interval; 80 MB for each parameter
 HALF_DROP = 1.920729410347062
 """Of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two."""
-_R_HAT, _FEW_DRAWS = 1.01, 400.0  # [vehtari2021]
+MOST_R_HAT, FEWEST_DRAWS = 1.01, 400.0
+"""Of draws that have converged: largest R-hat (1), fewest effective draws [vehtari2021]."""
 _TOLERANCE = 1e-6  # with model error: a log density moves by some thousandths, and simulations take half the time
-_ERROR = 0.5  # of the log density, from which on it is told
+MOST_ERROR = 0.5
+"""Error of the log density from which on it is reported: it moves weights of draws by a factor of 1.6."""
 
 Progress = Callable[[str], None]
 
@@ -551,6 +553,7 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], se
         moved = steps @ read.slopes[k].T
         for i, item in enumerate(free):
             freedom = float(read.freedom[k, i])
+            # From 10 000 degrees of freedom on, tails are normal to 1 %.
             tails = np.sqrt(freedom / chi2.ppf(level, freedom)) if freedom < 1e4 else 1.0
             centre = float(np.mean(moved[:, i]))
             one = read.values[k, i] + centre + tails * (moved[:, i] - centre)
@@ -562,16 +565,17 @@ def _weak(
     parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[FreeParameter], counted: str
 ) -> list[Finding]:
     found = []
-    if error > _ERROR:
+    if error > MOST_ERROR:
         found.append(finding("identify.log_density_off", "posterior", error, spread=error))
     for path, one in parameters.items():
         worst = min(one.convergence.bulk, one.convergence.tail)
-        if one.convergence.r_hat > _R_HAT or worst < _FEW_DRAWS:
+        if one.convergence.r_hat > MOST_R_HAT or worst < FEWEST_DRAWS:
             found.append(
                 finding("identify.not_converged", path, one.convergence.r_hat, r_hat=one.convergence.r_hat, draws=worst)
             )
     for item in free if counted == "noise only" else ():
         low, high = parameters[item.path].interval
+        # A fiftieth of its interval: a bound there cuts off draws.
         near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
         if near:
             found.append(finding("identify.draws_at_bound", item.path, near[0]))

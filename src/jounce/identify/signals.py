@@ -24,9 +24,10 @@ def quantum_of(x: Array) -> float:
     """Step of the values of a signal, its unit; 0 where they are not quantised."""
     values = np.unique(x)
     gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
-    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
+    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):  # hardly a value comes twice: not quantised, or too finely to matter
         return 0.0
     counts = gaps / gaps.min()
+    # Gaps are multiples of the step but for the digits of a file; without steps they are off by a half.
     return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
 
 

@@ -714,7 +714,7 @@ def _advice(
         if len(others) < 2 or np.median(others) <= 0.0:
             break
         far, usual = float(values[i] / np.median(others)), float(np.ptp(others) / np.median(others))
-        if abs(far - 1.0) > max(_ODD, 3.0 * usual):
+        if abs(far - 1.0) > max(_ODD, 3.0 * usual):  # beyond three times the range of the others
             value = row.stiffness.value
             add("identify.trial_differs", row.name, far, times=far, value=value, unit=rate)
     few = min(rows, key=lambda row: row.points)
@@ -725,7 +725,7 @@ def _advice(
         found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
         bend = spread.estimates(found)[0]
         share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
-        if bend.interval and not bend.has(0.0) and abs(share) > 0.03:
+        if bend.interval and not bend.has(0.0) and abs(share) > 0.03:  # a choice: 1.5 % to either side
             add("identify.not_linear", "linear law", share, change=share)
         sides = [x < 0.0, x > 0.0]
         if all(len(np.unique(x[side])) > 4 for side in sides):

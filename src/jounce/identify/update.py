@@ -146,7 +146,7 @@ def _correlation(residuals: Array) -> Array:
         if energy > 0.0
         else np.zeros(0)
     )
-    quiet = np.flatnonzero(np.abs(values) < 2.0 / np.sqrt(count))
+    quiet = np.flatnonzero(np.abs(values) < 2.0 / np.sqrt(count))  # as 95 % of white noise
     end = int(quiet[0]) if len(quiet) else len(values)
     reach = min(_REACH * end, len(values))
     return np.asarray(values[:reach] * (1.0 - np.arange(1, reach + 1) / (reach + 1.0)))

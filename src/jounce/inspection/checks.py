@@ -33,7 +33,7 @@ with its dampers, 2.9 to 4.2 with 30 % of them and 4.6 to 7.9 with 5 %.
 _FEWEST_STROKES = 12  # turns, so that one odd turn is neither the tenth nor the ninetieth percentile
 _SPRUNG_SPREAD, _COMPRESSED = 1.1, 1.5  # strokes on a spring vary by more, forces compress it by less
 _NEAR = 0.06  # share by which a ratio may miss a unit's; daN and kgf are 2 % apart, and the nearer counts
-_KILO, _NEAR_KILO = 0.001, 0.5
+_KILO, _NEAR_KILO = 0.001, 0.5  # kN over N, and how far off it may be: no other unit is within a factor of ten
 _WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08  # an error of the load is one of the adhesion, as large
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3  # N: 30 kg and 3 t on one wheel
 _CLIPPED_SHARE = 0.01  # of the samples: limits that a steady sine touches for so long cut 0.05 % of it
@@ -43,7 +43,7 @@ _SHORTEST = 2.0  # s: half of what the fastest sweep allowed (3 Hz/s) takes from
 _SWING = 1.0  # s: about one swing of a body
 _COARSE = 0.05  # of the static load, of the stroke: rounding to such steps is noise of 1.4 % of them
 _SLOW_BANDS = (1.5, 4.0), (4.0, 7.0)  # Hz: the second where the first has too few turns
-_MIDDLE_BAND, _FAST_BAND = (8.0, 14.0), (20.0, 40.0)  # Hz
+_MIDDLE_BAND, _FAST_BAND = (8.0, 14.0), (20.0, 40.0)  # Hz: about wheel hop, where filters do nothing; about the hold
 _FEWEST_IN_BAND = 2.0  # turns
 _FALLEN, _RISEN = 0.96, 0.975
 """Stroke over that of the middle band (1), which a low pass of second order at 45 Hz leaves at the hold of 25 Hz, and a
@@ -230,7 +230,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
 def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> list[Finding]:
     words = {"stroke": 1e3 * stroke, "expected": 1e3 * tester.stroke}
     for factor, unit in LENGTH_UNITS.items():
-        if abs(ratio / factor - 1.0) < 2.0 * _NEAR:
+        if abs(ratio / factor - 1.0) < 2.0 * _NEAR:  # a stroke is the difference of two readings
             return [problem(place, "height_unit", ratio, unit=unit, **words)]
     if not 0.7 < ratio < 1.4:  # of a stroke of 6 mm, below 4.2 or above 8.4 mm: another tester
         return [problem(place, "stroke_wrong", ratio, **words)]
@@ -305,6 +305,7 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
     ):
         return []  # each wheel says of which unit or sign it is
     offsets = measured["left"] - left, measured["right"] - right
+    # A choice: both zeros are shifted alike, to a tenth of the shift.
     if abs(offsets[0] - offsets[1]) < 0.1 * max(abs(value) for value in offsets):
         offset = 0.5 * sum(offsets)
         return [problem("left, right", "both_offset", offset, offset=offset)]
@@ -330,7 +331,7 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
     """Look for a saturated force (N): flat pieces at its largest or smallest value, lift-off apart."""
     findings = []
     for limit, name in ((float(force.max()), "upper"), (float(force.min()), "lower")):
-        if name == "lower" and abs(limit) < 0.05 * load:
+        if name == "lower" and abs(limit) < 0.05 * load:  # a wheel that lifts off, with an error of the zero
             continue
         flat = force == limit
         count = int(np.count_nonzero(flat))
@@ -338,6 +339,7 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
             continue
         jumps = np.abs(np.diff(force))
         entered = jumps[flat[1:] != flat[:-1]]
+        # A flat piece that is entered by single steps of the resolution is the turn of a signal.
         if entered.size == 0 or float(np.median(entered)) <= 1.5 * float(np.min(jumps[jumps > 0.0], initial=np.inf)):
             continue
         share = count / force.size
@@ -353,6 +355,7 @@ def check_dropout(force: Array, signals: WheelSignals, load: float) -> list[Find
     """Report a force (N) of exactly zero for a while: a cell under a moving plate always feels the plate."""
     if signals.plate_mass <= 0.0:
         return []
+    # About zero, with an error of the zero.
     still = np.flatnonzero((np.diff(force) == 0.0) & (np.abs(force[1:]) < 0.05 * load))
     runs = np.split(still, np.flatnonzero(np.diff(still) > 1) + 1)
     longest = max(runs, key=len)
@@ -370,7 +373,7 @@ def check_other_plate(
     if other is None:
         return []
     overlap = (min(own[1], other[1]) - max(own[0], other[0])) * step
-    if overlap < 0.5:
+    if overlap < 0.5:  # s: one plate may run down while the other starts
         return []
     if order == "together":
         return [remark(f"{wheel}.plate.z", "note", "other_together", time=overlap)]
@@ -387,6 +390,7 @@ def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> lis
     if not (order == "" or len(sides) == 2) or set(spans) != {"left", "right"}:
         return []
     first, second = sorted(spans, key=lambda side: spans[side][0])
+    # Plates that start within half a run are tested together.
     apart = spans[second][0] >= spans[first][0] + 0.5 * (spans[first][1] - spans[first][0])
     if apart and order == "":
         return [remark("left, right", "note", "order_missing", order=f"{first}, {second}")]
@@ -415,6 +419,7 @@ def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, h
         return []
     smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING)
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
+    # The force minimum counts over the load: adhesion is wrong by about as much.
     if abs(drift) < 0.05:
         return []
     return [(problem if abs(drift) > 0.2 else warning)(f"{wheel}.plate.force", "slips", drift, percent=100.0 * drift)]

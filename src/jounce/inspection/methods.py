@@ -419,6 +419,7 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
             break
         if len(even) > 1 and abs((even[-1] - at) / (even[-2] - even[-1]) - 1.0) > _EVEN:
             break
+        # Decrements scatter more than times: noise moves the height of a small swing, and hardly its turn.
         if len(even) > 1 and abs(math.log(-then / now) / math.log(-now / away[even[-2]]) - 1.0) > 3.0 * _EVEN:
             break
         even.append(int(at))

@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple
 
 Language = Literal["en", "de"]
 LANGUAGES: tuple[Language, ...] = ("en", "de")
-_MOST_DECIMALS = 6
+_MOST_DECIMALS = 6  # that a quantity may be written with
 
 
 class Sentence(NamedTuple):

@@ -176,7 +176,7 @@ def normal_equations(
     return float(gap @ gap), normal, right, gap[:n] + 1j * gap[n:]
 
 
-_FREE = 6
+_FREE = 6  # numbers of the quarter car that a fit may change
 _TIED = np.eye(_FREE, 5)
 _TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
 _SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
@@ -307,7 +307,7 @@ def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit
                 break
         else:
             damping = max(10.0 * damping, 1e-6)
-            if damping > 1e8:
+            if damping > 1e8:  # steps are rounding
                 break
     return _release_masses(parts, here, mass)
 
@@ -455,6 +455,7 @@ def _more_starts(parts: Sequence[Stretch], mass: float) -> list[Array]:
 def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
     """Tyre stiffness (N/m) from the highest frequencies, where the wheel hardly follows."""
     highest = max(parts, key=lambda part: float(part.s[-1].imag))
+    # A start: the highest 15 % are enough lines, and nearest to a wheel at rest.
     top = highest.s.imag > 0.85 * highest.s[-1].imag
     drive = float(np.sum(np.abs(highest.height[top]) ** 2))
     gain = abs(complex(np.sum(highest.force[top] * np.conj(highest.height[top])))) / drive if drive > 0.0 else 2e5

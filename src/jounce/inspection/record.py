@@ -43,7 +43,7 @@ TEXTS = (
 )
 """What it says about the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
-_LONGEST_TEXT, _LARGEST_NAME = 2000, 1e15
+_LONGEST_TEXT, _LARGEST_NAME = 2000, 1e15  # characters; a number that is a name, written with all its digits
 
 
 def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Dataset, list[Finding]]:

@@ -335,7 +335,7 @@ def sweep_wear(text: str) -> list[float]:
     good = len(numbers) in (1, 3) and all(np.isfinite(number) for number in numbers)
     if good and len(numbers) == 3:
         first, last, step = numbers
-        good = step > 0.0 and last >= first and (last - first) / step < 1e4
+        good = step > 0.0 and last >= first and (last - first) / step < 1e4  # each is a simulated test
         numbers = [round(first + i * step, 12) for i in range(round((last - first) / step + 1e-9) + 1)] if good else []
         numbers = [number for number in numbers if number <= last + 1e-9]
     if not good or not numbers or min(numbers) < 0.0 or max(numbers) > 1.0:

@@ -123,6 +123,7 @@ def _missing_rows(turns: Turns, place: str) -> list[Finding]:
     lengths = np.diff(times)
     usual = 0.5 * (lengths[:-2] + lengths[2:])
     share, beside = lengths[1:-1] / usual, lengths[2:] / np.maximum(lengths[:-2], 1e-12)
+    # Below 5 Hz a plate that runs down changes its speed within a turn.
     steady = (usual < 1.0 / _SLOWEST_TURN) & (share < 2.0) & (np.abs(beside - 1.0) < _FAST_CHANGE)
     away = np.where(steady, np.abs(share - 1.0), 0.0)
     if away.max(initial=0.0) < _ODD_TURN:
@@ -141,6 +142,7 @@ def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
     if falls > 1:
         return [problem(place, "several_sweeps", float(falls), count=falls)]
     lowest = float(middle.min())
+    # Of testers that do not start at 25 Hz the frequencies count in shares of the highest one.
     if falls + rises == 0 and lowest > min(_RESONANCE, 0.6 * top):
         code = "no_sweep" if lowest > 0.75 * top else "sweep_cut_off"
         return [problem(place, code, lowest, low=lowest, top=top)]
@@ -252,6 +254,7 @@ def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Fin
         findings.append(warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most))
     top = sweep.turns.top
     length = float(top[sweep.last] - top[sweep.first])
+    # A record that ends above 2 Hz does not tell how long the sweep was.
     if length < 0.98 * least and sweep.turns.frequency[sweep.last] < 2.0:
         findings.append(warning(place, "sweep_short", length, length=length, least=least))
     return findings

@@ -321,6 +321,7 @@ def fit_test(
         return None, [warning(place, "not_fitted", text=error.what)]
     strange = not TYRES[0] < fit.corner.tyre_stiffness < TYRES[1]
     doubtful = strange or fit.explained < 0.9  # a height with the wrong sign is worth another fit
+    # Turned over, the height must explain more than half of what it leaves now.
     if doubtful and not upright and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
         return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
     if strange or fit.explained < 0.3:  # a car without dampers, which is more than a quarter car, leaves 0.75

@@ -38,9 +38,9 @@ _MODELS: dict[str, dict[str, Any]] = {
     "series": {"color": PALETTE[4], "linestyle": (0, (2.5, 2.5)), "zorder": 3},
     "two-mass": {"color": PALETTE[0], "linestyle": "-", "zorder": 2},
 }
-_BEGIN, _END = 2.5, 10.0
-_EVENTS = (3.0, 6.0, 8.0)
-_TURNS = 0.4  # s
+_BEGIN, _END = 2.5, 10.0  # s: shown
+_EVENTS = (3.0, 6.0, 8.0)  # s: moment, obstacle, its end, as in the paper
+_TURNS = 0.4  # s: two turns of the exciter
 
 
 @styled

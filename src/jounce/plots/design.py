@@ -328,7 +328,7 @@ def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
     axes.grid(axis="y", visible=False)
 
 
-_HIGHEST = 50.0  # Hz
+_HIGHEST = 50.0  # Hz: above wheel hop of any rig of the library
 _POINT_SIZE = 200.0  # points^2, of the ride with the greatest travel
 
 

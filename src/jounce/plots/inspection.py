@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
-_BAND = (6.0, 18.0)
+_BAND = (6.0, 18.0)  # Hz, of the phase angle: EGEA SPECSUS2018
 _ENVELOPE = 400  # bins of a force over time; finer than the paper shows
 _EMPTY_HEIGHT = 0.5  # inches
 _WORDS = {

@@ -26,7 +26,7 @@ _COLUMNS = 3
 _MOST_BARS, _MOST_TORNADOES = 8, 12
 _SMALLEST_BAR = 1e-3  # of the largest
 _MOST_NUMBERS = 10
-_SAID, _DARK = 0.05, 0.6
+_SAID, _DARK = 0.05, 0.6  # absolute values that are written, and that need white ink
 _AROUND_NAMES = 0.14  # inches: names of points are long, and measured at another resolution than they are drawn
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
 

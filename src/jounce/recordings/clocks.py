@@ -182,7 +182,7 @@ def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
         return False
     offset = clock.instants - first.instants
     step = float(np.median(np.diff(first.instants)))
-    if np.ptp(offset) > 0.01 * step:
+    if np.ptp(offset) > 0.01 * step:  # more than digits of a file
         return True
     return 0.01 * step < abs(float(offset[0])) < 0.5 * float(np.ptp(first.instants))
 

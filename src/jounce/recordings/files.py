@@ -258,6 +258,7 @@ def _together(
     if cut > slack:
         findings = [
             *findings,
+            # Signals end within a sample of each other; a cut of more loses samples.
             finding(
                 "recordings.all_recorded",
                 f"{file}: time",

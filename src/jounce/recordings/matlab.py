@@ -106,7 +106,7 @@ def _inflated(path: Path) -> io.BytesIO:
     return io.BytesIO(b"".join(parts))
 
 
-_MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = 14, 1, 2, 3, 6, 15
+_MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = 14, 1, 2, 3, 6, 15  # types and classes of MAT-files of level 5
 _SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}
 """Bytes of each stored kind of number."""
 

@@ -159,7 +159,7 @@ def _unpacked(raw: Array, about: Mapping[str, Any]) -> Array:
 # --- netCDF-3: a header of big-endian numbers, then the variables, those of the record dimension row by row
 
 
-_DIMENSION, _VARIABLE, _ATTRIBUTE = 10, 11, 12
+_DIMENSION, _VARIABLE, _ATTRIBUTE = 10, 11, 12  # tags of the format, as are the kinds of numbers
 _KINDS = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8", 7: "u1", 8: ">u2", 9: ">u4", 10: ">i8", 11: ">u8"}
 _WORD = 4  # bytes: every part begins at a multiple
 

@@ -74,7 +74,7 @@ def _ends(content: bytes, footer: dict[int, Any]) -> Iterator[int]:
 # --- Thrift's compact protocol, the encoding of Parquet's metadata
 
 
-_TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = 1, 2, 3, 7, 8, 9, 10, 11, 12
+_TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = 1, 2, 3, 7, 8, 9, 10, 11, 12  # its types
 _DEEPEST = 20  # structs within each other; only damage nests deeper
 
 

@@ -190,6 +190,7 @@ def _of_channel(
             advice = _advice(number, reach, unit, si, header)
             yield finding(code, at, number, number=reach.number, size=number, unit=of, most=reach.most, advice=advice)
             return
+        # Still smaller is a channel at rest, not one in another unit.
         if is_read and 1e-2 * reach.least < number < reach.least:
             advice = _advice(number, reach, unit, si, header)
             yield finding("recordings.too_small", at, number, number=reach.number, size=number, unit=si, advice=advice)
@@ -198,7 +199,8 @@ def _of_channel(
         quantity == "az"
         and step is not None
         and values.size * step >= 1.0
-        and abs(_number("mean", values, step) - 1.0) < 0.02
+        and abs(_number("mean", values, step) - 1.0)
+        < 0.02  # of g: for zeros of sensors, and mounting angles up to 11 deg
     ):
         yield finding("recordings.mean_of_gravity", at, values.mean(), mean=values.mean(), unit=unit)
 
@@ -274,6 +276,7 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
             _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
         sizes = float(first.std()), float(second.std())
+        # A choice: offsets and filters change the size by less, another unit (mm, deg, g) by about ten or more.
         if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
             yield finding(
                 "recordings.rates_disagree",
@@ -293,6 +296,7 @@ def _without_line(values: Array) -> Array:
 def _of_sign(values: Array, rate: Array, name: str, at: str) -> Iterator[Finding]:
     """Report a rate with the opposite sign, or without the sign, of the steps of a signal that moves both ways."""
     steps = np.gradient(values)
+    # A signal that only rises has no rate of the other sign, by which one that lost its sign would show.
     if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
         return
     if np.min(rate) >= 0.0 and _correlation(np.abs(steps), rate) > _SAME:

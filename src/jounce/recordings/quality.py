@@ -229,6 +229,7 @@ def _holding(values: Array, at: str) -> list[Finding]:
     if len(runs) < _FEWEST_HELD:
         return []
     length = int(np.median(runs))
+    # A signal that just rounds to its resolution moves by one step of it.
     if length < 2 or np.mean(runs == length) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
         return []
     return [finding("recordings.held", at, length, length=length, late=0.5 * (length - 1))]
@@ -301,7 +302,7 @@ def _is_moving(beside: Array, resolution: float) -> bool:
     steps = np.diff(beside[:_BESIDE])
     turns = np.sign(steps[steps != 0.0])
     is_restless = np.count_nonzero(np.diff(turns)) >= 3 and np.unique(np.round(beside[:_BESIDE] / resolution)).size > 3
-    return is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution
+    return is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution  # two steps and more
 
 
 def frozen_samples(values: Array) -> NDArray[np.bool_]:

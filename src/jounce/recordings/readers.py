@@ -560,7 +560,7 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 _FRAMES = ("CAN_", "LIN_", "ETH_", "FLX_")
-_TIME_RESPONSE, _FUNCTIONS = 1, 58
+_TIME_RESPONSE, _FUNCTIONS = 1, 58  # kind of function and data set of the universal file format
 
 
 @reader(

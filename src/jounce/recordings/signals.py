@@ -132,7 +132,7 @@ def cfc_coefficients(channel_class: float, sample_rate: float) -> tuple[float, f
     >>> [round(c, 8) for c in cfc_coefficients(60.0, 10e3)]
     [0.00145237, 0.00290473, 0.00145237, 1.88934322, -0.89515269]
     """
-    if not (channel_class > 0.0 and sample_rate >= 10.0 * channel_class):
+    if not (channel_class > 0.0 and sample_rate >= 10.0 * channel_class):  # SAE J211
         raise RecordingError(
             "the channel frequency class cannot be realised at this sample rate",
             where="CFC filter",

@@ -142,7 +142,7 @@ def transfer_page(found: TransferEstimate, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    good = found.coherence >= 0.8
+    good = found.coherence >= 0.8  # errors of the gain then reach 6 % with 30 segments
     facts = [
         Fact("estimator", found.estimator, _ESTIMATORS[found.estimator]),
         Fact(
@@ -199,7 +199,7 @@ def _octaves(found: TransferEstimate) -> PageTable:
 
 
 def _finite(value: float) -> float | None:
-    return float(value) if value < 10.0 else None
+    return float(value) if value < 10.0 else None  # an error of ten times the value says nothing
 
 
 def measured_modes_page(found: FittedModes, *, title: str) -> Page:

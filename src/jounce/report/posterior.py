@@ -40,8 +40,9 @@ _DRAWS = {
     "(line), with the ends of the 95 % interval that holds both; below them the parts in pairs.",
 }
 _PROFILES = "Log likelihood over each parameter, the others as they fit best, beside a Gaussian of the same curvature."
-_CLOSE, _GOOD = 0.5, 1.01
 _MOST_TRIALS = 20
+_INSIDE, _FEW_INSIDE = 0.9, 0.8
+"""Shares of samples in a band of 95 %: a choice, as neighbouring samples are alike and leave it together."""
 _COUNTED = {
     "noise only": "Noise only is counted: how far values would scatter if the trials were run again. What the model "
     "lacks is not in it.",
@@ -103,15 +104,17 @@ def posterior_summary(found: Posterior, *, title: str) -> Page:
 
 
 def _answer(found: Posterior) -> tuple[Block, ...]:
+    from jounce.identify.posterior import FEWEST_DRAWS, MOST_ERROR, MOST_R_HAT
+
     worst = max(one.convergence.r_hat for one in found.parameters.values())
     least = min(min(one.convergence.bulk, one.convergence.tail) for one in found.parameters.values())
     facts = (
         Fact("Counted", found.counted, ""),
-        Fact("Draws", str(found.draws), f"{least:.0f} effective at least", "good" if least >= 400.0 else "fair"),
-        Fact("R-hat", f"{worst:.3f}", "1.01 at most", "good" if worst <= _GOOD else "bad"),
+        Fact("Draws", str(found.draws), f"{least:.0f} effective at least", "good" if least >= FEWEST_DRAWS else "fair"),
+        Fact("R-hat", f"{worst:.3f}", "1.01 at most", "good" if worst <= MOST_R_HAT else "bad"),
         Fact(
             "Error of the log density", f"{found.density_error:.2g}", "at draws that were simulated",
-            "good" if found.density_error <= _CLOSE else "fair",
+            "good" if found.density_error <= MOST_ERROR else "fair",
         ),
     )  # fmt: skip
     rows = []
@@ -145,7 +148,7 @@ def _bands(found: Posterior) -> tuple[Block, ...]:
     for trial, channels in found.predictions.items():
         for channel, band in channels.items():
             share = f"{100.0 * band.inside:.0f} %"
-            told = Cell(share, "good" if band.inside >= 0.9 else "fair" if band.inside >= 0.8 else "bad")
+            told = Cell(share, "good" if band.inside >= _INSIDE else "fair" if band.inside >= _FEW_INSIDE else "bad")
             rows.append((trial, "fitted" if band.is_fitted else "held out", channel, told))
     header = ("trial", "use", "channel", "samples in the 95 % band")
     return (PageTable("How much of every recording lies in its band", header, tuple(rows), "lllr"),)

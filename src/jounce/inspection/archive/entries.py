@@ -107,7 +107,7 @@ class StoredRecord:
 _FORMAT = "signals/1"
 _FACTORS = (1.0, 1e-3, 1e3)  # from the unit of the column to SI: none, mm or ms, kN
 _DECIMALS = range(7)
-_LARGEST = 2**31 - 1
+_LARGEST = 2**31 - 1  # of the whole numbers of 32 bits that values are stored as
 
 
 def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:

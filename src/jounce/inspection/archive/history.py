@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.store import Store
 
 QUANTITIES = ("adhesion", "phase_angle_min_deg", "theta_road")
-_DAYS_OF_A_YEAR = 365.25
+_DAYS_OF_A_YEAR = 365.25  # Julian
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.store import Store
     from jounce.inspection.result import Inspection
 
-_HEADER_BYTES = 65536
+_HEADER_BYTES = 65536  # far more than a header has
 
 
 @dataclass(frozen=True)

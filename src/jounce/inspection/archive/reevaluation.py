@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.parts.testers import Tester
 
-_BATCH = 20
+_BATCH = 20  # records handed to a process at once: more are cheaper to hand over, fewer end together
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 

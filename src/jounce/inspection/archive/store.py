@@ -54,7 +54,7 @@ _RESULT_COLUMNS = (
 _OF_ENTRY = ("name", "plate", "vehicle", "date", "axle", "tester")
 _SHOWN = (*_OF_ENTRY, "accepted")
 _SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
-_ATTEMPTS = 5
+_ATTEMPTS = 5  # a choice: so many other processes would have to write the same row one after another
 _GAP = 100  # rows that may be missing in a row of a damaged table
 
 

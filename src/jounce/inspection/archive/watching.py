@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
 _Stamp = tuple[int, int]
-_END = 1 << 15
+_END = 1 << 15  # bytes at either end, in which a format shows
 _OWN = (b'"jounce.protocol/', b"axle_verdict")
 """What only a protocol's values and an exported table hold, near their beginning or end."""
 

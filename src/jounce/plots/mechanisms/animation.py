@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 
 _MOST_IN_FILM = 300
-_SAME_HEIGHT = 1e-4  # m
+_SAME_HEIGHT = 1e-4  # m: less is not seen in a film
 _AT_JUMPS = 0.02  # share of the samples
 
 

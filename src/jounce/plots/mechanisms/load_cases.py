@@ -34,7 +34,7 @@ _ON_ROAD, _ON_BODY = "#c1121f", "#1d2126"  # no part has these colours
 _LONGEST = 0.30  # m on paper: the largest force
 _LABELLED = 0.12  # share of the largest force from which a force has its number beside it
 _SEEN = 0.01  # share of the largest force from which it is drawn
-_LEAST = 1e-3  # N
+_LEAST = 1e-3  # N: rounding of balances
 
 
 @styled

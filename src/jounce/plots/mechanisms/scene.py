@@ -456,7 +456,7 @@ def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
 
 REACH = 3.2
 """How much of the road is shown behind and ahead of the wheel, in its radii."""
-_VISIBLE = 2e-5  # m
+_VISIBLE = 2e-5  # m: a road drawn in so many lines looks round
 
 
 @dataclass(frozen=True)
