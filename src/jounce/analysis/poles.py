@@ -161,7 +161,7 @@ def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
     """Coefficients of the common denominator of all outputs, the last of them 1.
 
     Then poles that only fit noise are unstable, and are left out. The error of the equation, not of the response, is
-    least at first; dividing by the denominator of the time before makes them one (Sanathanan and Koerner).
+    least at first; dividing by the previous denominator makes both the same (Sanathanan and Koerner).
     """
     divisor: Array = np.ones(len(powers))
     free: NDArray[Any] = np.zeros(0)

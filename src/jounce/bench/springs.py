@@ -265,6 +265,6 @@ def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
         findings.append(
             finding("bench.travel_used_at_rest", "springs", row.travel_share, name=row.name, share=row.travel_share)
         )
-    if choice.strut_angle > math.radians(30.0):
+    if choice.strut_angle > math.radians(30.0):  # Adams 1993, cited by the paper; `STEEP_STRUT` of rigs
         findings.append(finding("bench.struts_inclined", "springs", choice.strut_angle))
     return findings

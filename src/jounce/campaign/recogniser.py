@@ -314,7 +314,7 @@ def _falls(values: Array) -> bool:
     return (
         parts[0] > 0.0
         and all(b < _FALLS * parts[0] for b in parts[1:])
-        and float(np.argmax(np.abs(centred))) < 0.25 * len(values)
+        and float(np.argmax(np.abs(centred))) < 0.25 * len(values)  # released in the first quarter
     )
 
 

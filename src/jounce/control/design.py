@@ -263,6 +263,7 @@ def h_infinity(
         except (slycot.exceptions.SlycotError, ValueError):
             return None
         controller = tuple(np.asarray(part) for part in synthesis[:4])
+        # SLICOT may return a controller that misses its bound; 1 % is how well the least bound is known.
         return controller if _norm(slycot, *_close_loop(plant, controller)) <= 1.01 * bound else None
 
     norm = _find_least_bound(synthesise)

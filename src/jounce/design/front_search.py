@@ -15,7 +15,7 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.design.mixtures import achievement
 
-SHARE = 1e-3  # of all goals beside the one that is relatively worst: what is worse in one for nothing is not best
+SHARE = 1e-3  # weight of all goals beside the relatively worst one: excludes weakly dominated designs
 _PRECISION = 1e-10  # of the relative achievement, which is about 1: far finer than a front is drawn
 _STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
 

@@ -35,13 +35,13 @@ from jounce.parts import Corner, Rig, as_rig, load
 from jounce.parts.files import rig_named_in
 
 _FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
-_STILL = 0.5e-9  # m: what moves less stays
-_EDGE = 0.02  # half boxes from its edge within which a number is told to lie there
+_STILL = 0.5e-9  # m: a smaller movement counts as none
+_EDGE = 0.02  # half boxes: a number this near to the edge is reported as lying on it
 _GENTLE = 0.03  # tolerances that half a box must change before it counts as a way to have one more
 _AT_LIMIT = 1e-3  # tolerances
-_SEEN = 1.0  # tolerances by which curves change before points are told apart
+_SEEN = 1.0  # tolerances: points are told apart if curves change by as much
 _NOISE = 1e-9  # share of the largest change below which there is none
-_LOST = 1e-6  # share of a number that curves do not see from which it is not known
+_LOST = 1e-6  # share of a number in directions that curves do not determine, from which it is not known
 _PART = 0.1  # share of a combination from which a number is named
 _MOST_OPEN = 5  # combinations that are listed
 _NO_VALUE = (

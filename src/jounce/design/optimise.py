@@ -27,9 +27,9 @@ from jounce.ride.surface import Density, Sides
 from jounce.roads import Trial
 from jounce.variants.designs import Spread
 
-_ACTIVE = 1e-5
-_STATIONARY = 1e-4
-_EVEN = 1e-4
+_ACTIVE = 1e-5  # share of a limit, up to which it counts as kept, and as reached: searches end far nearer
+_STATIONARY = 1e-4  # slope that is left at an optimum: 0.01 % of the objective at the start over the range of a number
+_EVEN = 1e-4  # weight by which multipliers stay small
 _MOST_STARTS = 1000  # each is a search
 _WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
 _MOST = 200  # iterations
@@ -40,7 +40,7 @@ _FINE = 1e-14  # of the objective, which is 1 at the start: down to rounding, as
 class SearchResult:
     """Where a search ended: values (SI), objective, largest broken share of a limit (1), iterations.
 
-    ``settled`` tells whether nothing better is near where slopes do not tell: percentiles have kinks.
+    ``settled`` tells whether a search around kinks, as percentiles have them, found nothing better.
     """
 
     values: Array

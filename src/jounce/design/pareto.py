@@ -41,7 +41,7 @@ from jounce.variants.designs import Spread
 
 COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
 _RANGE = (0.2, 5.0)
-"""Shares of the closed form between which a best damper is searched."""
+"""Range of the search for a best damper, as multiples of that of the closed form."""
 _SAME = 1e-6  # share by which both ends differ where comfort and road holding want the same
 _PRECISION = 1e-9  # of the objective, which is 1 at the start: far finer than a front is drawn
 _FEWEST, _MOST = 3, 500  # designs: both ends and one between; each is a search

@@ -275,7 +275,7 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
 def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
     """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more.
 
-    What ``is_closed`` begins and ends at a crossing, which are one more than those within.
+    With ``is_closed`` the record begins and ends at a crossing, which adds one.
     """
     stroke = float(np.ptp(displacement))
     side = displacement - 0.5 * float(displacement.max() + displacement.min())

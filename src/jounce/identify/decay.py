@@ -80,7 +80,7 @@ class Peaks:
 
 
 _SUDDEN = 2.0  # times the larger of the two swings before: a hit, as a free decay only falls
-_GROWS = 1.02  # times the swing before: a beat goes on growing behind a knot
+_GROWS = 1.02  # times the swing before: a beat goes on growing behind a node
 _FEWEST = 20  # samples: nearly three for each of the seven parameters of a response
 
 
@@ -137,7 +137,7 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
 def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
     """Leave out the part after a second hit: swings that are suddenly much larger than the two before.
 
-    Those of a beat are so, too, at a knot of its envelope, but grow on.
+    The swings of a beat do so too at a node of its envelope, but go on growing.
 
     >>> until_it_grows(Peaks(np.arange(8.0), np.array([9.0, -8, 7, -6, 5, -4, 20, -18.0])), 0.0).value.tolist()
     [9.0, -8.0, 7.0, -6.0, 5.0, -4.0]
@@ -553,7 +553,7 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples at the end during which nothing moves."""
     tail = signal[-max(5, len(signal) // 20) :]
-    # A choice: three times the noise, whose estimate scatters, and a thousandth of the range.
+    # Records of the tests that end at rest reach half of it, those that end in motion four times it and more.
     if float(tail.std()) > 3.0 * noise_of(signal) + 1e-3 * float(np.ptp(signal)):
         return np.zeros(len(t), bool)  # the record ends while it moves
     still = max(4.0 * float(tail.std()), 1e-3 * float(np.ptp(signal)))

@@ -242,7 +242,7 @@ def _first_contact(
     if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
         findings.append(finding("identify.zeros_recorded", name, force[0], pulled=motion.pulled, pushed=motion.pushed))
         return 0.0, 0.0, 0
-    if abs(force[0]) > 0.02 * largest:  # a choice: lower names the noise of a cell, higher hides a preload
+    if abs(force[0]) > 0.02 * largest:  # a choice: noise of the tests reaches a third of it, and higher hides a preload
         findings.append(
             finding(
                 "identify.starts_loaded",
@@ -276,7 +276,7 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
     deflection, force = trial.branch("loading")
     below = force[deflection < (1.0 - _TOP) * deflection.max()]  # nearer to the top noise mixes both branches
     drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
-    if drop <= 0.03 * float(np.ptp(force)):  # a choice, above noise of a per cent or two
+    if drop <= 0.03 * float(np.ptp(force)):  # a choice: noise of the tests reaches a third of it
         return []
     motion = trial.motion
     return [

@@ -419,7 +419,7 @@ def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, h
         return []
     smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING)
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
-    # The force minimum counts over the load: adhesion is wrong by about as much.
+    # Adhesion is the least force over the load: it is wrong by about as much. A fifth is a problem.
     if abs(drift) < 0.05:
         return []
     return [(problem if abs(drift) > 0.2 else warning)(f"{wheel}.plate.force", "slips", drift, percent=100.0 * drift)]

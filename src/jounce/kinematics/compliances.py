@@ -29,7 +29,7 @@ from jounce.parts.rig import structure_of
 if TYPE_CHECKING:
     import xarray as xr
 
-_ITERATIONS = 40
+_ITERATIONS = 40  # of Newton's method, at most; one that diverges takes them all
 _SETTLED = 1e-12  # m, rad
 _FREE = 1e-13  # smallest singular value of the scaled equations, relative to the largest: rounding
 LOADS = {

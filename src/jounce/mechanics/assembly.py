@@ -18,7 +18,7 @@ from jounce.core.units import to_si
 from jounce.mechanics.facts import Equation
 from jounce.mechanics.model import Model
 
-_ITERATIONS = 100
+_ITERATIONS = 100  # of damped Newton steps, at most: rough poses are far from closed
 _ALSO_OPEN = 0.05  # share of the widest gap from which a joint is named beside it; a choice
 _CLOSED = 1e-12  # m or rad: rounding of places of a few metres
 _HELD = (0.0, 1e-3)  # compliance of a given coordinate relative to the others: fixed, otherwise stiff

@@ -23,7 +23,7 @@ DEMO_HEIGHT, DEMO_PITCH = -0.12, 0.0
 """Initial pose of the demo's car: height of the body in m, pitch in rad."""
 PRINTED_RATE = 38.0
 """Front spring rate as printed, N/m."""
-_START_UP = 3.0
+_START_UP = 3.0  # s: until the moment begins
 
 
 @dataclass(frozen=True)

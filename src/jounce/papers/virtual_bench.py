@@ -274,6 +274,7 @@ def wheel_path(
     return jn.Excitation(
         time=np.concatenate([ends[0], time, ends[1]]),
         height=np.concatenate([np.zeros(2), height, np.zeros(2)]),
+        # A cubic needs some samples on the ramps that the contact patch makes of edges.
         interpolation="cubic" if belt.contact_length > 4.0 * spacing else "linear",
     )
 

@@ -237,7 +237,7 @@ class SteeringColumn(Description):
 
 
 _SHORTEST_SHAFT = 1e-3  # m: rounding of hardpoints in millimetres would turn it
-_STEEPEST_JOINT = 60.0  # deg
+_STEEPEST_JOINT = 60.0  # deg, a choice: the driven shaft then turns at half to twice the speed in each turn
 
 
 def _bend(start: Triple, middle: Triple, end: Triple) -> float:

@@ -156,6 +156,7 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
 
 
 def _check(surface: Surface) -> None:
+    # A choice; ISO 8608 describes roads by 2.
     if not (math.isfinite(surface.waviness) and 0.0 < surface.waviness < 4.0):
         raise DescriptionError("out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4")
     if surface.cut_off is not None and not (math.isfinite(surface.cut_off) and surface.cut_off > 0.0):

@@ -593,6 +593,7 @@ def _join(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array])
     """Join cubics with these heights and slopes at the borders; collinear lines become one piece."""
     pieces = hermite_pieces(borders, left[0], right[0], left[1], right[1])
     c, span = pieces.coefficients, np.diff(borders)
+    # Less than 1e-13 m is rounding of heights.
     bend = np.maximum(np.abs(c[:, 2]) * span**2, np.abs(c[:, 3]) * span**3) > 1e-13
     c[~bend, 2:] = 0.0
     c[~bend, 1] = ((right[0] - left[0]) / span)[~bend]

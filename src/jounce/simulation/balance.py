@@ -11,7 +11,7 @@ from jounce.core.types import Array
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
-_ITERATIONS = 30
+_ITERATIONS = 30  # of Newton's method, at most
 _HALVINGS = 6  # of a step that leads to commands without equilibrium
 _BALANCED, _LEAST = 1e-9, 1e-6  # of the element's force, and N: rounding of a balance of forces
 

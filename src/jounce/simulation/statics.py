@@ -16,7 +16,7 @@ from jounce.mechanics.facts import ModelFacts, is_road
 from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
-_ITERATIONS = 60
+_ITERATIONS = 60  # of Newton's method, at most; rigs of the library take up to 7
 _SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m: compressions to start from, for springs that are soft at first
 _FAR = 1e3  # m: a step of that length means that nothing holds the weight
 _UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely: 1e-3 over rounding
@@ -213,6 +213,7 @@ def _newton_side_by_side(
 
 def _are_small(steps: Array, sizes: Array) -> NDArray[np.bool_]:
     """Whether each of many steps is rounding beside what it changes; see :func:`_is_small`."""
+    # Rounding: a Newton step near the end loses some digits of the 16.
     most, size = (np.max(np.abs(values), axis=1, initial=0.0) for values in (steps, sizes))
     return np.asarray(most <= 1e-13 + 1e-11 * size)
 

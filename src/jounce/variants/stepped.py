@@ -29,7 +29,7 @@ from jounce.simulation.settings import MAX_STEPS
 from jounce.variants.threads import processors, share
 
 LEAST, LEAST_WITH_LOOPS = 16, 256
-"""Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
+"""Variants below which compiling code for blocks (0.5 s, 2 s for mechanisms with loops) does not pay."""
 _MOST_STATES = 40  # of a mechanism: cars on four corners fill the vectors with their own corners
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
