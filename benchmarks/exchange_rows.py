@@ -1,4 +1,4 @@
-"""FMUs: what an instant of a component costs in a run, and how fast exported rigs step."""
+"""FMUs: cost of a component per control instant, and speed of exported rigs."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def exchange_rows() -> list[Row]:
 
 
 def _import_rows(folder: Path) -> list[Row]:
-    """A run of 10 000 control instants with a component FMU, beside a function in Python that does nothing."""
+    """A run of 10 000 control instants with a component FMU, compared with an empty Python function."""
     rig = jn.load("audi-a6-quarter-car")
     road = jn.Iso8608(**{"class": "C", "seed": 1, "length": "250 m"})
     trial = jn.Trial(road=road, speed="20 m/s", duration=_SECONDS)
@@ -64,7 +64,7 @@ def _import_rows(folder: Path) -> list[Row]:
 
 
 def _export_rows(folder: Path) -> list[Row]:
-    """An exported rig in co-simulation at 1 ms, and one evaluation of its rates beside that of our own machine code."""
+    """An exported rig in co-simulation at 1 ms, and one evaluation of its derivatives beside jounce's code."""
     rows = []
     own = _master(folder)
     for name, count, real_time, slower in (
@@ -106,7 +106,7 @@ def _export_rows(folder: Path) -> list[Row]:
 
 
 def _master(folder: Path) -> ctypes.CDLL:
-    """The master in C, compiled."""
+    """Compile the importer in C."""
     compiler = build.compiler_for((this_platform(),))
     assert compiler is not None
     out = folder / f"master{PLATFORMS[this_platform()].suffix}"
@@ -149,7 +149,7 @@ def _stepped(own: ctypes.CDLL, told: dict[str, Any], count: int) -> float:
 
 
 def _rates(own: ctypes.CDLL, told: dict[str, Any], name: str) -> list[Callable[[], float]]:
-    """Ways to evaluate rates at rest (s): our machine code, the FMU's binary, the FMU as importers ask it."""
+    """Time (s) to evaluate derivatives at rest: jounce's code, the FMU's binary, the FMU through its interface."""
     compiled = compile_rig(jn.load(name))
     p, u = compiled.parameter_values(jn.load(name).parameters()), compiled.inputs({})
     rest = find_equilibrium(compiled, p, u)

@@ -40,7 +40,7 @@ STIFF = {"bushings": dict.fromkeys(ARMS, BUSHING), "strut.friction": {"force": 1
 
 
 def in_turns(runs: dict[str, Callable[[], object]], rounds: int = 31) -> dict[str, float]:
-    """Median time (s) of each; they run in turns, so that what else the machine does counts against all of them."""
+    """Median time (s) of each; they run alternately, so other load on the machine affects all of them."""
     times: dict[str, list[float]] = {way: [] for way in runs}
     for _ in range(rounds):
         for way, run in runs.items():
@@ -51,7 +51,7 @@ def in_turns(runs: dict[str, Callable[[], object]], rounds: int = 31) -> dict[st
 
 
 def gradient_rows() -> list[Row]:
-    """Mean square of the body's acceleration and its slopes along ten parameters, with all that a run needs."""
+    """Mean square of the body's acceleration and its derivatives with respect to ten parameters, complete runs."""
     rows = []
     for tyre in TYRES:
         rig, road = _rig(tyre), _road(Case(tyre, SPEEDS[0]))
@@ -102,7 +102,7 @@ def gradient_rows() -> list[Row]:
 
 
 def stiff_rows() -> list[Row]:
-    """Arms on bushings of 1e7 N/m and friction in the strut, against ball joints and none."""
+    """Arms on bushings of 1e7 N/m with friction in the strut, compared with ball joints without friction."""
     runs, methods = {}, {}
     for way, changes in (("rigid joints", {}), ("bushings of 1e7 N/m and friction", STIFF)):
         rig = _rig("unilateral").with_changes(changes)
@@ -119,7 +119,7 @@ def stiff_rows() -> list[Row]:
 
 
 def residual_rows() -> list[Row]:
-    """How far the loops open, over both tyres and all speeds; runs with all hardpoints, reactions and energies."""
+    """Largest gap of the loops, over both tyres and all speeds; runs with all hardpoints, reactions and energies."""
     worst, slowest = 0.0, 0.0
     for tyre in TYRES:
         rig = _rig(tyre)

@@ -1,4 +1,4 @@
-"""What a laboratory would write for itself: evaluation by EGEA's text, a run-down by SciPy, a table by pandas."""
+"""Typical own scripts of a laboratory: evaluation by EGEA's text, a run-down with SciPy, a table with pandas."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from peers import Array
 
 
 def egea_script(record: Any) -> tuple[float, float]:
-    """Adhesion (1) and least phase angle (degrees): a low pass for the frequency of each turn, then its least force."""
+    """Adhesion (1) and minimum phase angle (degrees): low-pass filter per cycle, then its minimum force."""
     from scipy.signal import firwin, kaiser_beta
 
     time, height, force = (record[name].to_numpy() for name in ("time", "left.plate.z", "left.plate.force"))

@@ -38,7 +38,7 @@ def inspection_rows() -> list[Row]:
 
 
 def _rigid_rows() -> list[Row]:
-    """One wheel of 15 s at 1 kHz on a rigid plate; the peer filters turn by turn and fits nothing."""
+    """One wheel of 15 s at 1 kHz on a rigid plate; the peer filters cycle by cycle without a fit."""
     rig, tester = jn.load("audi-a6-quarter-car"), load_tester("eusama").with_changes({"programme.hold_time": "5 s"})
 
     def record(noise: float, seed: int = 0) -> Any:
@@ -65,7 +65,7 @@ def _rigid_rows() -> list[Row]:
 
 
 def _said(clean: tuple[float, float], noisy: np.ndarray) -> str:
-    """What noise does to adhesion and phase angle."""
+    """Effect of noise on adhesion and phase angle."""
     adhesion, angle = np.sqrt(np.mean((noisy - np.array(clean)) ** 2, axis=0))
     return f"noise moves them by {100.0 * adhesion:.2g} points and {angle:.2g}°"
 
@@ -153,7 +153,7 @@ def _files(folder: Path) -> Iterator[Path]:
 
 
 def _reevaluated(store: Store) -> Row:
-    """Evaluate some hundred stored records again, and say what that means for the whole lane."""
+    """Re-evaluate some hundred stored records and extrapolate to the whole lane."""
     first = store.numbers()
     for copy in range(_STORED - len(first)):  # the stored signals are what is evaluated; the copies' texts are short
         number = first[copy % len(first)]

@@ -1,4 +1,4 @@
-"""Hardpoints from targets on a push-rod double wishbone: slopes of all rows, and whole designs, beside SciPy."""
+"""Hardpoints from targets on a push-rod double wishbone: derivatives and complete designs, compared with SciPy."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ TRAVELS = (-0.02, 0.02, 0.0, -0.01, 0.01)
 
 
 def kinematic_design_rows() -> list[Row]:
-    """Times of slopes and of designs."""
+    """Times of derivatives and designs."""
     rows = _tangents()
     for count, goals, starts, limit in ((14, 12, 8, "≤ 0.5 s"), (30, 40, 64, "≤ 10 s")):
         paths, targets = _task(count, goals)
@@ -98,7 +98,7 @@ _FROM = (60.0, 60.0)  # tolerances: where areas under fronts count from
 
 
 def _front() -> list[Row]:
-    """A front between two goals, and that of pymoo's NSGA-II over the same model where it is installed."""
+    """A Pareto front of two objectives, and that of pymoo's NSGA-II for the same model, if installed."""
     free, problem = (
         {f"hardpoints.{name}": "5 mm" for name in _MOVES},
         "Pareto front of two objectives, 5 coordinates, 20 designs",
@@ -144,7 +144,7 @@ def _front() -> list[Row]:
 
 
 def _area(front: Sequence[tuple[float, ...]]) -> float:
-    """Area of goals that are worse than some design of a front: the larger, the better (hypervolume)."""
+    """Hypervolume of a front of two objectives: the larger, the better."""
     total, height = 0.0, _FROM[1]
     for first, second in sorted(front):
         if second < height:
@@ -161,7 +161,7 @@ def _spread() -> Row:
 
 
 def _task(count: int, goals: int) -> tuple[list[str], list[dict[str, Any]]]:
-    """Paths that are free, and targets that another rig within their boxes meets."""
+    """Free paths, and targets that a known rig within their boxes meets."""
     rig, random = jn.load(RIG), np.random.default_rng(3)
     paths = [f"hardpoints.{name}[{i}]" for name in POINTS for i in range(3)][:count]
     before = rig.parameters()
@@ -184,7 +184,7 @@ def _off(target: Any) -> float:
 
 
 def _scipy(paths: list[str], targets: list[dict[str, Any]]) -> tuple[float, float]:
-    """Seconds and worst target of a script around sweeps: differences of whole sweeps."""
+    """Time (s) and worst target of a script with finite differences of sweeps."""
     rig = jn.load(RIG)
     before = np.array([rig.parameters()[path] for path in paths])
     read = jn.design_kinematics(rig, {paths[0]: "1 mm"}, targets, starts=1).targets  # values and tolerances in SI

@@ -23,7 +23,7 @@ SEED = 3
 
 
 def laboratory_rows() -> list[Row]:
-    """All rows, in processor time but for the integration, which uses all processors."""
+    """All rows, in processor time except the integration, which uses all processors."""
     with tempfile.TemporaryDirectory(prefix="jounce-bench-") as name:
         folder = Path(name)
         lab = laboratory.drawn(SEED)

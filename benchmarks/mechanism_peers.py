@@ -1,4 +1,4 @@
-"""Other engines on the prototype's double wishbone, each at its loosest setting that reaches the asked error.
+"""Other engines on the prototype's double wishbone, each with the loosest setting that reaches the requested error.
 
     from mechanism_peers import PEERS, cheapest
     found = cheapest("Pinocchio + SciPy DOP853", Case("unilateral", 3.79), 1e-6)
@@ -22,7 +22,7 @@ Run = Callable[[float], tuple[float, Array, Array]]
 
 @dataclass(frozen=True)
 class Peer:
-    """How to get at an engine: its package, our module and its settings from loose to tight."""
+    """A peer engine: its package, our module and its settings from loose to tight."""
 
     package: str
     module: str
@@ -52,7 +52,7 @@ TARGETS = {"bilateral": (2e-5, 1e-6), "unilateral": (1e-4, 1e-6)}
 
 @dataclass(frozen=True)
 class Found:
-    """What a peer needs for one case: wall time in s, error reached, and whether that is what was asked."""
+    """Result of a peer for one case: wall time (s), error, and whether it meets the request."""
 
     peer: str
     case: Case

@@ -1,6 +1,6 @@
 """Exudyn: rigid bodies with joints as constraints, generalised-alpha steps, tyre law in its compiled symbols.
 
-Of what was tried this was the fastest: Tait-Bryan angles; trapezoidal (spectral radius 1) with modified Newton. Its
+The fastest tested settings are used: Tait-Bryan angles; trapezoidal (spectral radius 1) with modified Newton. Its
 kinematic tree with loop constraints took three times as long a step, a full Newton twice as long.
 """
 
@@ -18,7 +18,7 @@ HINGE = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])  # turns z
 
 
 class System:
-    """The assembled system with the sensors of body and wheel; keeps alive what Exudyn only points to."""
+    """The assembled system with the sensors of body and wheel; keeps objects alive that Exudyn only references."""
 
     def __init__(self, case: Case) -> None:
         import exudyn as exu

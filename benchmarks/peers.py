@@ -1,4 +1,4 @@
-"""Other ways to run the same problems. Each peer is tuned to the asked error, not to a default."""
+"""Peers that run the same problems. Each is tuned to the requested error."""
 
 from __future__ import annotations
 
@@ -191,7 +191,7 @@ def casadi_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, R
 def cheapest(
     runs: Iterator[tuple[str, float, Run]], reference: Array, error: float
 ) -> list[tuple[str, float, Run, float]]:
-    """For each way its loosest setting that reaches ``error``, or its tightest when none does."""
+    """For each method the loosest setting that reaches ``error``, or the tightest if none does."""
     best: dict[str, tuple[str, float, Run, float]] = {}
     for name, setting, run in runs:
         known = best.get(name)

@@ -1,4 +1,4 @@
-"""Reports: how long they take to write, to open, and to zoom and play in a browser that draws in software."""
+"""Reports: time to write, open, zoom and play them in a browser with software rendering."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ FRAMES = """async () => {
 
 
 def report_rows() -> list[Row]:
-    """All rows; those of the browser are left out where there is none."""
+    """All rows; those of the browser only if one is installed."""
     with tempfile.TemporaryDirectory(prefix="jounce-bench-") as folder:
         _, result = run_demo(Path(folder) / "demo")
         write_campaign(result, Path(folder) / "warm")

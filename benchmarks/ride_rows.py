@@ -1,4 +1,4 @@
-"""Roads, roughness index, weighting and controllers, each beside what NumPy and SciPy make of the same."""
+"""Roads, roughness index, weighting and controllers, each compared with NumPy and SciPy."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ _GOALS = ("city: p95 sprung.az", "rough: p95 tyre.force", "motorway: p95 sprung.
 
 
 def _robust_rows() -> list[Row]:
-    """A damper for three roads over 32 samples: what a design costs, and a front; the peer asks rig after rig."""
+    """A damper for three roads with 32 samples: time per design and per front; the peer evaluates rigs singly."""
     rig, damper = jn.load("audi-a6-quarter-car"), "strut.damper.coefficient"
     free = {damper: ("500 N*s/m", "5000 N*s/m")}
     cases = {name: {"road": road, "speed": speed} for name, (road, speed) in _ROADS.items()}

@@ -1,4 +1,4 @@
-"""Rows of the benchmark table for what grows: variants, draws of a posterior, starts of an update, tasks of a cluster.
+"""Rows of the benchmark table on scaling: variants, draws of a posterior, starts of an update, tasks of a cluster.
 
 ``python benchmarks/scale_rows.py`` prints them alone, in about a minute. Most are timed once, since each lasts
 seconds, variants by the median of three runs or more after a warm one; the cluster is one worker beside the same work

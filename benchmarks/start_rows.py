@@ -1,7 +1,7 @@
-"""What a user waits for: first runs with empty caches, warm commands, and calls without their run.
+"""Waiting times of a user: first runs with empty caches, warm commands, and overhead of calls.
 
-Whole processes are given in processor seconds, their own and those of their children: they hardly depend on what else
-the machine does. Cold means that nothing is cached but what comes with the package.
+Whole processes are given in processor seconds, their own and those of their children, which hardly depend on other
+load of the machine. Cold means that only the cache of the package exists.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ print(time.process_time() - begin)
 
 @dataclass(frozen=True)
 class Process:
-    """What one process took: processor time (s), peak memory (MB), and what it printed."""
+    """Resources of one process: processor time (s), peak memory (MB), and what it printed."""
 
     seconds: float
     megabytes: float

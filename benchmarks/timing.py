@@ -1,4 +1,4 @@
-"""Times and the table they go into."""
+"""Measure times and write their table."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Row:
-    """One measured way; times in s, ``ratio`` to jounce in the same run."""
+    """One measured method; times in s, ``ratio`` to jounce in the same run."""
 
     problem: str
     way: str
@@ -23,7 +23,7 @@ class Row:
 
 
 def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float = 6.0) -> float:
-    """Median wall time of a call in s, after one warm-up; fewer repeats where the budget (s) runs out."""
+    """Median wall time of a call in s, after one warm-up; fewer repeats if the budget (s) is used up."""
     run()
     times, begin = [], time.perf_counter()
     while len(times) < repeats and (time.perf_counter() - begin < budget or len(times) < 3):
@@ -34,9 +34,9 @@ def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float =
 
 
 def side_by_side(ways: Sequence[Callable[[], float]], *, rounds: int = 20) -> list[tuple[float, float]]:
-    """Median of what each way tells of itself in s, and of its ratio to the first way in the same round.
+    """Median of the time (s) that each method returns, and of its ratio to the first method in the same round.
 
-    The ways take turns, so that what else the machine does, and how fast it runs meanwhile, meets all of them alike.
+    The methods run alternately, so other load and clock changes of the machine affect all of them.
     """
     for way in ways:
         way()
@@ -52,7 +52,7 @@ def processor_time(run: Callable[[], object]) -> float:
 
 
 def shown(seconds: float) -> str:
-    """A time with three digits in a fitting unit."""
+    """Format a time with three digits and a suitable unit."""
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"

@@ -2,8 +2,8 @@
 
 ``python benchmarks/variant_rows.py`` prints them alone. The quarter cars drive over the long random road of the linear
 problem, with lift-off also at three times its height. Peers that are written by hand know the equations of this one
-model, and do not locate when a tyre lifts off; their error is that of ``rms sprung.az`` against ours. What takes long
-is timed on fewer variants, and says so.
+model, and do not locate when a tyre lifts off; their error is that of ``rms sprung.az`` against ours. Slow methods
+are timed with fewer variants, which the row states.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def _alone(rig: jn.Rig, trial: jn.Trial, few: dict[str, Array], i: int) -> float
 
 
 def _peers(many: Any, road: Array, *, linear: bool) -> list[tuple[str, int, Callable[[], Array]]]:  # noqa: ANN401
-    """Name, number of variants, and what gives ``rms sprung.az`` of each."""
+    """Name, number of variants, and function that returns ``rms sprung.az`` of each."""
     rate, mass = many["strut.spring.rate"].values, many["sprung.mass"].values
     if linear:
         return [

@@ -1,7 +1,7 @@
 """Rows of the benchmark table for vehicles: half car, full car, and the full car on four 3-D double wishbones.
 
 ``python benchmarks/vehicle_rows.py`` prints them alone. Peers get the matrices or the compiled right-hand side of the
-same model and the same road; each is taken at its loosest setting that reaches the error.
+same model and the same road; each uses its loosest setting that reaches the error.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class Problem:
         return self.moved(self.prepared(1e-11).run().states)
 
     def error(self, found: Array) -> float:
-        """Largest error of a displacement relative to its range; what does not move is left out."""
+        """Largest error of a displacement relative to its range; constant displacements are left out."""
         reference = self.reference
         size = np.ptp(reference, axis=1)
         moving = size > 1e-9
@@ -90,7 +90,7 @@ class Problem:
 
 
 def own_row(title: str, problem: Problem, target: str, note: str = "") -> Row:
-    """Our run at the loosest tolerance that reaches the error."""
+    """jounce's run at the loosest tolerance that reaches the error."""
     for tolerance in TOLERANCES:
         run = problem.prepared(tolerance)
         solution = run.run()
@@ -237,7 +237,7 @@ def spatial_rows() -> list[Row]:
 
 
 def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> Row:
-    """The same car with one coordinate for each wheel, its tables made anew for every run."""
+    """The same car with one coordinate for each wheel, with new tables for every run."""
     assert isinstance(vehicle, FullCar3D)
     reduction = car_reduction_of(vehicle)
     assert reduction is not None
@@ -260,7 +260,7 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
 
 
 def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
-    """SciPy on our compiled right-hand side; it neither locates lift-off nor lands on the obstacles' edges."""
+    """SciPy on our compiled right-hand side; without location of lift-off and steps on the obstacles' edges."""
     from scipy.integrate import solve_ivp
 
     compiled, p, n = problem.compiled, problem.compiled.extended(problem.p), len(problem.compiled.facts.coordinates)

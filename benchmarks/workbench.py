@@ -1,4 +1,4 @@
-"""How fast the workbench answers: a server and a headless Chromium that draws in software, as `make bench-web` runs it.
+"""Response times of the workbench: server and headless Chromium with software rendering, by `make bench-web`.
 
 Every figure is the time a person waits: from the input event to the frame after the curves have been drawn. What the
 medians were, and on which machine, is written into ``docs/explanation/workbench-speed.md`` with ``--write``.
@@ -45,7 +45,7 @@ SLIDER = """async ([selector, count, values]) => {
 
 
 class Served:
-    """A server over a folder, in a process of its own, and how long it took to answer."""
+    """Start a server for a folder in a separate process, and return its start time."""
 
     def __init__(self, folder: Path) -> None:
         began = time.perf_counter()
@@ -59,7 +59,7 @@ class Served:
         self.up = time.perf_counter() - began
 
     def ask(self, method: str, path: str, body: Any = None) -> Any:
-        """Ask as a script does."""
+        """Send a request like a script."""
         headers = {"Authorization": f"Bearer {self.token}", "Content-Type": "application/json"}
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(self.base + path, data, headers, method=method)  # noqa: S310 - this machine
@@ -68,9 +68,9 @@ class Served:
 
 
 def median(times: list[float]) -> str:
-    """Median and nine tenths, ms."""
+    """Median and 90th percentile, ms."""
     ordered = sorted(times)
-    return f"{statistics.median(ordered):.0f} ms (nine in ten below {ordered[int(0.9 * (len(ordered) - 1))]:.0f} ms)"
+    return f"{statistics.median(ordered):.0f} ms (90th percentile {ordered[int(0.9 * (len(ordered) - 1))]:.0f} ms)"
 
 
 def long_record(folder: Path) -> None:
@@ -85,7 +85,7 @@ def long_record(folder: Path) -> None:
 
 
 def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
-    """Rows: what, what is to be reached, what was measured."""
+    """Rows: action, target, measurement."""
     from playwright.sync_api import sync_playwright
 
     rows = [("server up", "1.5 s", f"{served.up:.2f} s")]
@@ -180,7 +180,7 @@ count = 100000
 
 
 def busy(served: Served, context: Any, folder: Path) -> str:
-    """How long small questions take while four jobs run and eight tabs are open."""
+    """Response time of small requests with four running jobs and eight open tabs."""
     jobs = []
     for k in range(4):
         (folder / f"busy-{k}.toml").write_text(STUDY, encoding="utf-8")
@@ -215,7 +215,7 @@ def busy(served: Served, context: Any, folder: Path) -> str:
 
 
 def main() -> None:
-    """Measure, print, and write the table by wish."""
+    """Measure, print, and optionally write the table."""
     with tempfile.TemporaryDirectory(prefix="jounce-bench-", ignore_cleanup_errors=True) as place:
         served = Served(Path(place))
         try:
@@ -223,13 +223,13 @@ def main() -> None:
         finally:
             served.process.terminate()
             served.process.wait(20)
-    lines = ["| what | wanted | measured |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
+    lines = ["| action | target | measured |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
     day = datetime.now(tz=UTC).date().isoformat()
     where = f"{day}, {os.cpu_count()} processors, {platform.machine()}, Python {platform.python_version()}"
     head = (
-        "# How fast the workbench answers\n\nWritten by `make bench-web`: headless Chromium at 1280 x 720 that "
-        "draws in software, from the input to the frame after the curves are drawn.\n"
+        "# Response times of the workbench\n\n`make bench-web` writes this table: headless Chromium at 1280 x 720 with "
+        "software rendering, from the input to the frame after the curves are drawn.\n"
     )
     text = f"{head}\n{chr(10).join(lines)}\n\nMeasured on {where}; load of the machine at the end {load:.1f}.\n"
     print(text)

@@ -1,6 +1,6 @@
-"""What the built site must keep to: links and pictures that are there, nothing from a network, texts of pictures, size.
+"""Check the built site: links, pictures and their alternative texts, no network requests, size.
 
-``python docs/check_site.py docs/_build/html`` runs behind every build. With ``--browser`` (``make check-docs``; needs
+``python docs/check_site.py docs/_build/html`` runs after every build. With ``--browser`` (``make check-docs``; needs
 Playwright, Chromium) every page is opened on a phone's width, too: nothing may scroll sideways, no page may take longer
 than a second to be readable; and what readers ask is searched for, without a network: the page that answers is to be
 among the first three.
@@ -49,7 +49,7 @@ QUESTIONS = {
 
 
 class Page(HTMLParser):
-    """Targets, links, and what is loaded, of one page."""
+    """Targets, links and loaded files of one page."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -73,7 +73,7 @@ class Page(HTMLParser):
 
 
 def problems(site: Path) -> list[str]:
-    """Every link to nowhere, load from a network, picture without a text, and a site that is too large."""
+    """List broken links, network requests, pictures without alternative text, and an excessive size."""
     files = [file for file in sorted(site.rglob("*")) if file.is_file() and ".doctrees" not in file.parts]
     pages = {file: Page(file.read_text(encoding="utf-8")) for file in files if file.suffix == ".html"}
     found = []
@@ -98,7 +98,7 @@ def problems(site: Path) -> list[str]:
 
 
 def seen_on_a_phone(site: Path) -> list[str]:
-    """What scrolls sideways, and what is slow."""
+    """List pages that scroll sideways or load slowly."""
     from playwright.sync_api import sync_playwright
 
     found, slowest = [], (0.0, "")
@@ -127,7 +127,7 @@ def seen_on_a_phone(site: Path) -> list[str]:
 
 
 def not_found(site: Path) -> list[str]:
-    """Questions whose page is not among the first three that the search finds, from disk and without a network."""
+    """List questions whose page is not among the first three results of the offline search."""
     from playwright.sync_api import sync_playwright
 
     found = []

@@ -1,4 +1,4 @@
-"""Configuration of the documentation; public names and tables of registries are written by their sources."""
+"""Configuration of the documentation; public names and tables of registries are generated."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one 
 
 
 def what_runs(source: str) -> bytes:
-    """Give a module without comments and without docstrings of functions: what a lesson shows does not hang on them."""
+    """Return a module without comments and docstrings of functions, which do not affect the output of lessons."""
     tree = ast.parse(source)
     for node in ast.walk(tree):  # docstrings of classes stay: a notebook shows what they say of a value
         if isinstance(node, ast.Module | ast.FunctionDef | ast.AsyncFunctionDef) and ast.get_docstring(node):
@@ -59,7 +59,7 @@ def what_runs(source: str) -> bytes:
 
 
 def cache_of_notebooks(folder: Path) -> str:
-    """Give the cache of what notebooks showed with these sources of jounce; those of earlier sources are removed."""
+    """Return the cache of notebook outputs for the current sources of jounce, and remove older caches."""
     digest = hashlib.sha256()
     sources = Path(jounce.__file__).parent
     for file in sorted(sources.rglob("*")):
@@ -139,13 +139,13 @@ def formula(self: HTML5Translator, node: nodes.math_block) -> None:
 
 
 def pictures_when_they_are_near(_: Sphinx, __: str, ___: str, context: dict[str, object], ____: object) -> None:
-    """Pictures are loaded where a reader comes near them, and only those of the reader's scheme."""
+    """Load pictures lazily, and only those of the reader's colour scheme."""
     if "body" in context:
         context["body"] = str(context["body"]).replace("<img ", '<img loading="lazy" ')
 
 
 def setup(app: Sphinx) -> None:
-    """Tell Sphinx of our directive and of formulas."""
+    """Register the directive and the formulas with Sphinx."""
     app.add_directive("drawn", Drawn)
     app.connect("html-page-context", pictures_when_they_are_near)
     app.add_html_math_renderer("mathml", (inline_formula, None), (formula, None))

@@ -1,6 +1,6 @@
 """Drawings of the pages that explain: axes, models with their free bodies, testers, bench, block diagrams.
 
-Coordinates of a drawing are its own; what has a shape of jounce (hardpoints, signals) is read from jounce.
+Each drawing has its own coordinates; hardpoints and signals come from jounce.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ DRAWINGS: dict[str, Callable[[], Any]] = {}
 
 
 def drawing(width: float, height: float, *, parts: int = 1, rows: int = 1, size: float = 3.0) -> Callable[[Any], Any]:
-    """Make a function of one or more axes a drawing of the pages, under its name."""
+    """Register a function of one or more axes as a drawing."""
 
     def made(draw: Callable[..., None]) -> Callable[..., None]:
         def figure() -> Any:
@@ -183,7 +183,7 @@ def _quarter(axes: Any, x: float) -> None:
 
 @drawing(7.6, 4.6, parts=2, size=3.6)
 def quarter_car(model: Any, free: Any) -> None:
-    """The two masses, and each alone with what acts on it."""
+    """Draw the two masses, and the free-body diagram of each."""
     _quarter(model, 3.0)
     line(model, *[(x, 0.5 + 0.1 * np.sin(2.2 * x)) for x in np.linspace(1.6, 4.6, 60)], width=1.6)
     for height, name in ((3.65, "zₛ  sprung.z"), (1.85, "zᵤ  unsprung.z"), (0.45, "z_r  road.z")):
@@ -322,7 +322,7 @@ def signs_of_a_wheel(camber: Any, toe: Any, caster: Any, travel: Any) -> None:
 
 @drawing(6.4, 5.0, parts=2, size=3.7)
 def testers(eusama: Any, theta: Any) -> None:
-    """A plate that is moved rigidly (EUSAMA, EGEA), and one on a spring (THETA)."""
+    """Draw a rigidly driven plate (EUSAMA, EGEA) and a plate on a spring (THETA)."""
     for axes, title in ((eusama, "EUSAMA, EGEA: a rigid plate"), (theta, "THETA: a plate on a spring")):
         word(axes, (3.2, 4.8), title, bold=True)
         box(axes, (2.3, 3.95), 1.8, 0.55, "body")
@@ -354,7 +354,7 @@ def testers(eusama: Any, theta: Any) -> None:
 
 @drawing(10.0, 10.0, parts=1, size=3.0)
 def tester_signals(axes: Any) -> None:
-    """What adhesion and phase angle are, on a simulated turn of a plate."""
+    """Show adhesion and phase angle in a simulated cycle of a plate."""
     import jounce as jn
     from jounce.parts.testers import load_tester
     from jounce.testers.plate_response import steady_response
@@ -420,7 +420,7 @@ def bench(axes: Any) -> None:
 
 @drawing(7.0, 5.4, parts=1, size=3.4)
 def free_upright(axes: Any) -> None:
-    """An upright alone: rods and spring along their lines, the road at the contact point."""
+    """Free-body diagram of an upright: forces of rods and spring along their lines, road force at the contact point."""
     upper, lower, rod, centre = np.array([2.9, 4.2]), np.array([2.6, 2.0]), np.array([2.9, 2.5]), np.array([2.0, 3.1])
     contact = np.array([1.9, 0.6])
     box(axes, centre + np.array([-0.75, -2.5]), 1.3, 4.8, fill="none")
@@ -443,7 +443,7 @@ def free_upright(axes: Any) -> None:
 
 @drawing(8.2, 6.4, parts=2, size=4.2)
 def contact_point(leaning: Any, guided: Any) -> None:
-    """A wheel that leans: the lowest point of its disc, and the vertical spring of a corner on a guide."""
+    """Inclined wheel: the lowest point of its disc, and the vertical spring of a corner on a guide."""
     lean, loaded, free, road = np.radians(14.0), 2.0, 2.4, 1.2
     down, out = np.array([np.sin(lean), -np.cos(lean)]), np.array([np.cos(lean), np.sin(lean)])
     contact = np.array([3.4, road])
@@ -477,7 +477,7 @@ def _chain(axes: Any, boxes: Sequence[tuple[float, float, str]], width: float = 
 
 @drawing(12.0, 4.4, size=3.0)
 def update_loop(axes: Any) -> None:
-    """From measurements to a model that holds, or does not."""
+    """Draw the loop from measurements to a validated or rejected model."""
     _chain(
         axes,
         [
@@ -537,7 +537,7 @@ def control_loop(axes: Any) -> None:
 
 
 def write() -> None:
-    """Write every drawing beside the pages."""
+    """Write all drawings to the documentation."""
     source = Path(__file__).read_text(encoding="utf-8")
     for name, make in DRAWINGS.items():
         drawn.write(f"drawing-{name}", make, source)

@@ -1,6 +1,6 @@
 """Pictures of these pages, drawn when the documentation is built: one drawing, in light and in dark.
 
-``write`` draws what is not there yet, or was drawn by other code. The dark one is the light one with other colours.
+``write`` draws missing and outdated pictures. The dark version is the light one with different colours.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _ROUNDED = 12  # of 255: colours of pale pixels are rounded
 
 
 def write(name: str, make: Callable[[], Any], made_from: str) -> None:
-    """Write ``name-light.svg`` and ``name-dark.svg`` unless both are there and were made from the same."""
+    """Write ``name-light.svg`` and ``name-dark.svg`` unless both exist and are up to date."""
     if is_made(name, made_from):
         return
     from jounce.plots import rendered
@@ -38,7 +38,7 @@ def write(name: str, make: Callable[[], Any], made_from: str) -> None:
 
 
 def is_made(name: str, made_from: str) -> bool:
-    """Whether both pictures are there, from this source."""
+    """Whether both pictures exist and come from this source."""
     light, dark, stamp = _files(name)
     is_there = light.is_file() and dark.is_file() and stamp.is_file()
     return is_there and stamp.read_text(encoding="utf-8") == _mark(made_from)
@@ -53,14 +53,14 @@ def _mark(made_from: str) -> str:
 
 
 def in_the_dark(text: str) -> str:
-    """Colours of a picture turned for a dark page; those that are not listed keep their hue and change brightness."""
+    """Convert the colours of a picture for a dark page; unlisted colours keep their hue and change brightness."""
     text = re.sub(r"(?<![\w-])(white|black)(?=[;\"'])", lambda m: {"white": "#ffffff", "black": "#000000"}[m[1]], text)
     text = re.sub(r"#[0-9a-fA-F]{6}\b", lambda m: DARK.get(m[0].lower()) or _turned(m[0]), text)
     return re.sub(r"(?<=data:image/png;base64,)[\w+/=\s]+", lambda m: _points_in_the_dark(m[0]), text)
 
 
 def _points_in_the_dark(encoded: str) -> str:
-    """Clouds of points are small images in the picture: pixels of a listed colour are turned, colour maps stay."""
+    """Convert embedded images of point clouds: pixels of listed colours change, colour maps stay."""
     import numpy as np
     from PIL import Image
 
@@ -76,7 +76,7 @@ def _points_in_the_dark(encoded: str) -> str:
 
 
 def _turned(colour: str) -> str:
-    """A colour with the brightness of its opposite: pale fills become deep ones."""
+    """Invert the brightness of a colour: light fills become dark."""
     import colorsys
 
     red, green, blue = (int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))

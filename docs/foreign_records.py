@@ -1,6 +1,6 @@
-"""Records of known truth as files of a bench, made with NumPy alone: what was done to each is known, too.
+"""Records of a bench with known values and known faults, made with NumPy only.
 
-Nothing here is shared with jounce, neither laws nor integrators nor filters, so that no mistake is made twice.
+The code shares no laws, integrators or filters with jounce, so it cannot repeat jounce's errors.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ HIDDEN = "(no file can tell)"
 
 @dataclass(frozen=True)
 class Record:
-    """Columns with their units as a file has them, what is true of the part (SI), and what was done to the record.
+    """Columns with the units of a file, true values of the part (SI), and the fault of the record.
 
-    ``about`` is a pattern of the words by which a finding names the cause. Without one the record is sound, and a
-    warning is a false alarm. ``slack`` are absolute errors that matter to nobody.
+    ``about`` is a pattern of the words by which a finding names the cause. Without one the record is correct, and a
+    warning is a false alarm. ``slack`` are negligible absolute errors.
     """
 
     group: str
@@ -56,12 +56,12 @@ def low_pass(signal: Array, rate: float, corner: float, order: int = 2) -> Array
 
 
 def steps_of(signal: Array, size: float) -> Array:
-    """Round to whole steps, as a converter of few bits does."""
+    """Round to whole steps, like a converter with few bits."""
     return size * np.round(signal / size)
 
 
 def lost(count: int, rate: float, seconds: float, times: int, seed: int = 5) -> Array:
-    """Mark stretches, for a logger that loses the line."""
+    """Mark sections in which a logger loses the signal."""
     marks, length = np.zeros(count, bool), max(1, round(seconds * rate))
     for begin in np.random.default_rng(seed).integers(count // 8, count - count // 8 - length, times):
         marks[begin : begin + length] = True
@@ -69,7 +69,7 @@ def lost(count: int, rate: float, seconds: float, times: int, seed: int = 5) -> 
 
 
 def held(signal: Array, marks: Array) -> Array:
-    """Repeat the last value where marked."""
+    """Repeat the last value in marked sections."""
     last = np.where(marks, 0, np.arange(len(signal)))
     return signal[np.maximum.accumulate(last)]
 
@@ -337,7 +337,7 @@ def springs() -> Iterator[Record]:
 
 
 def twists() -> Iterator[Record]:
-    """The same trials of a part that is twisted: 8 degrees for 30 mm, 1 N m for 1 N; and units of their own."""
+    """The same trials for a part in torsion: 8 degrees for 30 mm, 1 N m for 1 N; and trials in other units."""
     degrees = 8.0 / 30.0
     rate = 1e-3 * RATE / np.radians(degrees)
     for one in springs():
@@ -394,10 +394,10 @@ def swing(  # noqa: PLR0913
     seed: int = 1,
     softening: float = 0.0,
 ) -> dict[str, Array]:
-    """A mass let go, by small steps of Heun's method: displacement, velocity and acceleration with relative noise.
+    """Free decay of a mass, by small steps of Heun's method: displacement, velocity, acceleration with relative noise.
 
     ``bump`` multiplies the damping while the mass goes down; ``hits`` are instants and the velocities they add;
-    ``softening`` is by what the stiffness falls with the square of the deflection, as that of a pendulum does.
+    ``softening`` is the loss of stiffness with the square of the deflection, as for a pendulum.
     """
     fine = max(1, round(2000.0 / rate))
     step = 1.0 / (rate * fine)
@@ -436,7 +436,7 @@ IN_SI = {
 
 
 def high_pass(signal: Array, rate: float, corner: float, order: int = 1) -> Array:
-    """What a coupling of a corner (Hz) leaves, by sections of one pole."""
+    """High-pass filter of an AC coupling with a corner frequency (Hz), by one-pole sections."""
     for _ in range(order):
         signal = signal - low_pass(signal, rate, corner, 1)
     return signal
@@ -458,7 +458,7 @@ def decays() -> Iterator[Record]:
         said: str = "",
         **choice: Any,
     ) -> Record:
-        """``unit`` is that of the numbers, ``said`` that of the header where another one stands there."""
+        """``unit`` is the unit of the numbers, ``said`` a different unit in the header."""
         unit = unit or UNITS[kind]
         columns = {"time [s]": t, f"sprung.{kind} [{said or unit}]": signal / IN_SI[kind][unit]}
         truth = {"damping_coefficient": damping}

@@ -1,7 +1,7 @@
-"""Records of testers with known truth, made with NumPy alone: one axle, one wheel after the other, and what was done.
+"""Records of testers with known values and faults, made with NumPy only: one axle, one wheel after the other.
 
-A quarter car stands on a plate: on a rigid one of 6 mm stroke (EUSAMA, EGEA), or on one that hangs on a spring from an
-exciter (THETA, BOGE). Nothing here is shared with jounce.
+A quarter car is on a rigid plate of 6 mm stroke (EUSAMA, EGEA) or on a plate with a spring to the exciter (THETA,
+BOGE). The code shares nothing with jounce.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Wheel:
         return self.tyre * (1.0 - body * self.tyre / (body * (self.wheel * s**2 + strut + self.tyre) - strut**2))
 
     def truth(self, tester: str) -> dict[str, float]:
-        """What a tester should measure: the least force of its sweep, the rest by poles and response."""
+        """True results of a tester: the minimum force of its sweep; the other values from poles and response."""
 
         def ratio(matrix: Array, count: int) -> float:
             poles = np.linalg.eigvals(matrix)
@@ -131,10 +131,10 @@ def run(wheel: Wheel, tester: str) -> tuple[Array, Array, Array]:
 
 @dataclass(frozen=True)
 class TesterRecord:
-    """A file of a tester: its header and columns, the wheels on it, and what was done to the record.
+    """A file of a tester: header, columns, wheels, and the fault of the record.
 
-    ``about`` are the codes of findings that name the cause. Without them the record is sound, and a warning is a false
-    alarm.
+    ``about`` are the codes of findings that name the cause. Without them the record is correct, and a warning is a
+    false alarm.
     """
 
     group: str
@@ -155,7 +155,7 @@ class TesterRecord:
 
 @dataclass
 class Axle:
-    """Signals of both wheels in SI, to be spoilt, and the header."""
+    """Return the signals of both wheels in SI, before the fault, and the header."""
 
     tester: str
     wheels: tuple[Wheel, Wheel]
@@ -181,7 +181,7 @@ class Axle:
 
 
 def axle(tester: str, car: str | tuple[Wheel, Wheel], noise: float = 0.003, seed: int = 1) -> Axle:
-    """Test the left wheel, then the right one; the plate that waits stands still, the noise is a share of the load."""
+    """Test the left wheel, then the right one; the other plate is at rest, and the noise is a share of the load."""
     wheels = CARS[car] if isinstance(car, str) else car
     draw = np.random.default_rng(seed)
     z, f = {}, {}
@@ -373,7 +373,7 @@ def _filters(tester: str) -> Iterator[TesterRecord]:
 
 
 def _exchanges(tester: str) -> Iterator[TesterRecord]:
-    """Channels and sides in each other's place."""
+    """Exchanged channels and sides."""
     for car, order in itertools.product(CARS, ('["left", "right"]', "", '["right", "left"]', '"together"')):
         one = axle(tester, car)
         one.order = order
@@ -412,6 +412,6 @@ _ODD = (
 
 
 def odd_wheels() -> Iterator[TesterRecord]:
-    """Sound records that checks of linear wheels may not call wrong."""
+    """Correct records that checks of linear wheels must not reject."""
     for tester, (i, wheels), noise in itertools.product((EGEA, THETA), enumerate(_ODD), (0.0005, 0.003, 0.01)):
         yield axle(tester, wheels, noise).record("odd", f"{i}, noise {noise:g}")

@@ -1,4 +1,4 @@
-"""Estimates tried on records of known truths in every sign, datum and sampling: counts for a page and a test."""
+"""Test estimates with records of known values in every sign, datum and sampling: counts for a page and a test."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SIGNS = list(itertools.product((1, -1), (1, -1)))
 
 
 def _is_loud(findings: object, about: str = "") -> bool:
-    """Whether a warning or problem is among them that names the cause: others stand beside right numbers, too."""
+    """Whether a warning or problem names the cause; other findings may also accompany right numbers."""
     return any(finding.severity != "note" and about in finding.message for finding in findings)  # type: ignore[attr-defined]
 
 
@@ -90,7 +90,7 @@ def decays() -> Iterator[Outcome]:
 
 
 def datums() -> Iterator[Outcome]:
-    """Heights, deflections and forces zeroed at rest, undeformed or anywhere, as they are or turned, in an update."""
+    """Heights, deflections and forces zeroed at rest, undeformed or anywhere, with either sign, in an update."""
     rig = jn.load("kart-quarter-car")
     truth = rig.with_changes({"strut.spring.rate": "21.5 N/mm", "strut.damper.coefficient": 120.0})
     road = jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m")
@@ -129,7 +129,7 @@ def _fit_decay(file: Path, channel: str, **choice: Any) -> tuple[dict[str, Any],
 
 
 def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]]) -> str:
-    """Whether a fit of the file is right (within its interval or 3 %), told with its cause, refused, or silent.
+    """Whether a fit of the file is right (within its interval or 3 %), reported with its cause, refused, or wrong.
 
     A sound record with a warning is a false alarm, a wrong number from a record as sound as the truth is hidden.
     """
@@ -155,7 +155,7 @@ def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]])
 
 
 def files(records: Callable[[], Iterator[Record]], fit: Callable[..., Any]) -> Iterator[Outcome]:
-    """Files made without jounce; a refusal and a false alarm count as what they are."""
+    """Files made without jounce; refusals and false alarms count as such."""
     for record in records():
         verdict = judged(record, fit)
         yield verdict == "right", verdict in ("told", "refused")

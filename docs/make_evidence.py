@@ -1,4 +1,4 @@
-"""The page on validation: tables and pictures of what tests hold against sources outside of jounce.
+"""The page on validation: tables and pictures of comparisons with external sources.
 
 ``make validation`` runs those tests and keeps what they found in ``explanation/validation.json``; everything else is
 read from the tests as they stand: their marks, and the first lines of the files that hold no outside source.
@@ -37,7 +37,7 @@ APART = {
 
 
 def rows() -> list[dict[str, Any]]:
-    """What is kept, by test."""
+    """Stored comparisons by test."""
     found: list[dict[str, Any]] = json.loads(FILE.read_text(encoding="utf-8"))["tests"]
     return found
 
@@ -51,7 +51,7 @@ def capabilities() -> list[str]:
 
 
 def overview() -> str:
-    """How many tests of which kind hold which capability."""
+    """Count the tests of each kind for each capability."""
     lines = [f"| | {' | '.join(KINDS)} |", "|---|" + "---:|" * len(KINDS)]
     for name in capabilities():
         counts = [sum(row["of"] == name and row["kind"] == kind for row in rows()) for kind in KINDS]
@@ -64,7 +64,7 @@ def _count(number: int) -> str:
 
 
 def tables() -> str:
-    """One section of the page for every capability: its picture and its tests, the strongest kind first."""
+    """Write one section per capability: its picture and its tests, the strongest kind first."""
     parts = []
     for name in capabilities():
         word = name.replace(" ", "-")
@@ -97,7 +97,7 @@ def _table(found: list[dict[str, Any]]) -> str:
 
 
 def _number(value: float, digits: int = 6) -> str:
-    """A number as it is read: powers of ten where it is very small or large."""
+    """Format a number, with powers of ten if it is very small or large."""
     mantissa, _, power = f"{value:.{digits}g}".partition("e")
     return f"{mantissa} · 10{str(int(power)).translate(_RAISED)}" if power else mantissa
 
@@ -106,12 +106,12 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def _share(share: float) -> str:
-    """Of what is allowed; what is below the differences between machines is not told apart."""
+    """Share of the tolerance; values below the differences between machines are not distinguished."""
     return "< 2 %" if share < 0.02 else f"{100.0 * share:.0f} %"
 
 
 def apart() -> str:
-    """What no outside source holds: the files of tests with their first lines, and how many of them have none."""
+    """List the files of tests without an external source, with their first lines and the number of such tests."""
     parts = []
     for folder, label in APART.items():
         parts += [f"### {label}", ""]
@@ -129,12 +129,12 @@ def apart() -> str:
 
 
 def _named(file: Path) -> str:
-    """A file of tests by its words, which a phone can break."""
+    """Name of a test file in separate words, which can wrap on a phone."""
     return file.stem.removeprefix("test_").replace("_", " ")
 
 
 def without_source(file: Path) -> int:
-    """How many tests of a file name no outside source."""
+    """Count the tests of a file that name no external source."""
     outside, path = {row["test"] for row in rows()}, file.relative_to(ROOT).as_posix()
     body = ast.parse(file.read_text(encoding="utf-8")).body
     tests = [one.name for one in body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
@@ -142,7 +142,7 @@ def without_source(file: Path) -> int:
 
 
 def golden_elsewhere() -> list[str]:
-    """Rows for what other folders pin: the text or comment that begins with *Golden*."""
+    """Rows for golden numbers in other folders: the text or comment that starts with *Golden*."""
     found = []
     for file in sorted((ROOT / "tests").rglob("test_*.py")):
         texts = _GOLDEN.findall(file.read_text(encoding="utf-8")) if file.parent.name != "golden" else []
@@ -155,7 +155,7 @@ _GOLDEN = re.compile(r'^\s*(?:"""|# )Golden: ([^\n"]+?)(?:"""|$)', re.MULTILINE)
 
 
 def units() -> list[str]:
-    """A row for each package: how many of its unit tests name no outside source."""
+    """One row per package: the number of unit tests without an external source."""
     folders = sorted(one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py")))
     counts = [sum(without_source(file) for file in folder.glob("test_*.py")) for folder in folders]
     rows = [f"| `{folder.name}` | {count} |" for folder, count in zip(folders, counts, strict=True)]
@@ -163,7 +163,7 @@ def units() -> list[str]:
 
 
 def shares(name: str) -> Any:
-    """The picture of a capability: which share of what is allowed each comparison takes."""
+    """Draw the share of the tolerance that each comparison of a capability uses."""
     from jounce.plots import new_figure, style
 
     found = [row for row in rows() if row["of"] == name]
@@ -187,7 +187,7 @@ def shares(name: str) -> Any:
 
 
 def _short(row: dict[str, Any], others: list[dict[str, Any]]) -> str:
-    """What is compared, in few words; with its file where others have the same words."""
+    """Short description of a comparison, with its file if the description is not unique."""
     words = row["compares"]
     if sum(one["compares"] == words for one in others) > 1:
         words += f" ({row['test'].partition('test_')[2].partition('.')[0].replace('_', ' ')})"
@@ -195,7 +195,7 @@ def _short(row: dict[str, Any], others: list[dict[str, Any]]) -> str:
 
 
 def adams() -> Any:
-    """The worst of the comparisons with ADAMS: where its body is, and how far ours is from there."""
+    """Draw the largest difference from ADAMS: the position of the body, and jounce's difference."""
     from jounce import simulate_mechanism
     from jounce.plots import new_figure, style
 
@@ -225,7 +225,7 @@ def adams() -> Any:
 
 
 def damper() -> Any:
-    """A measured damper: its loops, and the law that is fitted to them."""
+    """Draw the loops of a measured damper and the fitted law."""
     import numpy as np
 
     from jounce.identify.damper import damper_curve, fit_damper

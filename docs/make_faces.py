@@ -1,4 +1,4 @@
-"""Write what registries and command line say: names for type checkers, JSON schemas for editors, tables for the docs.
+"""Write names for type checkers, JSON schemas for editors and tables for the docs from registries and command line.
 
 ``make faces`` runs this after an operation, a road, a controller or a description has changed: it writes the last part
 of the stubs (``__init__.pyi``), the index of operations, ``docs/schemas`` and the quantities of the workbench's pages,
@@ -98,7 +98,7 @@ def vehicle_schema() -> dict[str, Any]:
 
 
 def _complete_models(definitions: dict[str, Any], models: Iterable[type[Rig]]) -> None:
-    """Say what selects a class, what kinematics do without, and where a rig's bump stop may stand, too."""
+    """Describe the key that selects a class, keys that kinematics do not need, and the second place of a bump stop."""
     for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
         definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
     for model in models:
@@ -136,13 +136,13 @@ def campaign_schema() -> dict[str, Any]:
 
 
 def truth_schema() -> dict[str, Any]:
-    """Schema of a truth file; what is changed in its rig may be anything that a rig holds."""
+    """Schema of a truth file; it may change any value of its rig."""
     schema = BenchTruth.model_json_schema(by_alias=True)
     return {"$schema": DIALECT, **schema, "title": "jounce truth file"}
 
 
 def control_schema() -> dict[str, Any]:
-    """Schema of a control file: any of the laws, by any of the names that stand for it."""
+    """Schema of a control file: any of the laws, by any of its names."""
     known = {**CONTROLS, **FILE_CONTROLS}
     laws = {kind.law for kind in known.values()}
     schema: dict[str, Any] = TypeAdapter(reduce(or_, sorted(laws, key=lambda law: law.__name__))).json_schema(
@@ -178,7 +178,7 @@ def limits_schema() -> dict[str, Any]:
 
 
 def record_schema() -> dict[str, Any]:
-    """Schema of the file beside a tester's record; further keys are kept and said."""
+    """Schema of the TOML file of a tester's record; unknown keys are stored and reported."""
     texts: dict[str, Any] = {name: {"type": "string"} for name in TEXTS}
     texts["axle"] = {"enum": ["front", "rear"]}
     texts["date"] = {"description": "a date, or text"}
@@ -190,7 +190,7 @@ def record_schema() -> dict[str, Any]:
 
 
 def _written(schema: Any) -> Any:
-    """Keep the first paragraph of every description, the rest is written for Python; refer to other files."""
+    """Keep the first paragraph of every description, as the others concern Python; refer to other files."""
     if isinstance(schema, dict):
         return {
             "$ref" if key == FILE_REF else key: " ".join(value.split("\n\n")[0].split())
@@ -202,7 +202,7 @@ def _written(schema: Any) -> Any:
 
 
 def _shared(own: dict[str, Any], other: dict[str, Any]) -> set[str]:
-    """Names of the definitions that two schemas have alike, with everything that they refer to."""
+    """Names of the definitions that two schemas share, with everything that they refer to."""
     found = {name for name, definition in own.items() if other.get(name) == definition}
     while lost := {name for name in found if not {ref.rpartition("/")[2] for ref in _refs(own[name])} <= found}:
         found -= lost
@@ -235,7 +235,7 @@ def design_schema() -> dict[str, Any]:
 
 
 def sweep_schema() -> dict[str, Any]:
-    """Schema of a sweep; what a number is spread over has its unit."""
+    """Schema of a sweep; the ranges of a number have its unit."""
     schema = SweepStudy.model_json_schema(by_alias=True)
     schema["required"] = ["schema", *(name for name in schema["required"] if name != "schema")]
     trial = Trial.model_json_schema(by_alias=True)
@@ -269,7 +269,7 @@ def optimisation_schema() -> dict[str, Any]:
 
 
 def schemas() -> dict[str, str]:
-    """All schemas: file name to text. What an earlier file defines, later ones refer to."""
+    """All schemas: file name to text. Later files refer to definitions in earlier ones."""
     makers = {
         "rig": rig_schema,
         "vehicle": vehicle_schema,
@@ -303,7 +303,7 @@ PAGE_QUANTITIES = DOCS.parent / "viewer" / "src" / "workbench" / "quantities.jso
 
 
 def page_quantities() -> str:
-    """Quantities that pages of the workbench show, with labels and units: of wheels, rides, decays and stiffnesses."""
+    """Quantities of the workbench's pages with labels and units: of wheels, rides, decays and stiffnesses."""
 
     def said(part: Any) -> str:
         return part(SimpleNamespace(motion="translation")) if callable(part) else part
@@ -339,7 +339,7 @@ def page_answers() -> str:
 
 
 class _Names(dict[str, Any]):
-    """Names of a module and of typing; a name that is imported for type checkers only stands for anything."""
+    """Names of a module and of typing; a name imported only for type checkers means any type."""
 
     def __missing__(self, name: str) -> Any:
         return getattr(typing, name, getattr(builtins, name, Any))
@@ -351,7 +351,7 @@ def _hint(kind: type, annotation: Any) -> Any:
 
 
 def _typescript(hint: Any, kinds: list[type]) -> str:
-    """Write a type for TypeScript; a dataclass is written by its name, and added to those that are written."""
+    """Write a type for TypeScript; a dataclass is written by its name and added to the types to write."""
     plain = {str: "string", bool: "boolean", int: "number", float: "number", type(None): "null", None: "null"}
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Annotated:
@@ -393,7 +393,7 @@ STUB_PART = "# isort: split\n# Written by `make faces`: members of the registrie
 
 
 def stubs() -> dict[Path, str]:
-    """Stubs with the members of the registries behind what is written by hand: file to text."""
+    """Stubs with the members of the registries after the hand-written part: file to text."""
     roads = list(ROADS.values())
     laws = {control.law for control in (*CONTROLS.values(), *FILE_CONTROLS.values())}
     members = {
@@ -467,7 +467,7 @@ def tables() -> dict[str, str]:
 
 
 def _joint_rows() -> Iterator[tuple[str, ...]]:
-    """Every class of joint, those without a body of their own to hang last."""
+    """Every class of joint; those that cannot attach a body come last."""
     for joint in sorted(_kinds_of(Joint), key=lambda one: not one.hangs):
         coordinates = [f"`.{tag}` ({unit})" for tag, unit in joint.coordinates]
         numbers = [(one.name, one.metadata["unit"]) for one in fields(joint) if "read" in one.metadata]
@@ -489,7 +489,7 @@ def _graded(row: WheelQuantity) -> str:
 
 
 def _road_rows() -> Iterator[tuple[str, str, str]]:
-    """Kind, own keys (those that may be left out in brackets) and first sentence of every road, module by module."""
+    """Kind, own keys (optional ones in brackets) and first sentence of every road, module by module."""
     shared = {"kind", "start", "recurrence"}
     order = ("obstacles", "waves", "rough", "measured")  # other modules behind them
     places = {name: place for place, name in enumerate(order)}
@@ -543,7 +543,7 @@ def _option(item: Any) -> tuple[str, str, str]:
 
 
 def write_tables() -> None:
-    """Write tables and references beside the pages, for the build of the documentation."""
+    """Write tables and references for the build of the documentation."""
     TABLES.mkdir(exist_ok=True)
     references = {f"{name.replace(' ', '-')}.md": text for name, text in commands().items()}
     for name, text in {**tables(), **references}.items():

@@ -1,4 +1,4 @@
-"""Pictures of the gallery: the blocks of its page are run, and what each leaves as ``figure`` is drawn."""
+"""Pictures of the gallery: run the blocks of its page and draw the ``figure`` of each."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BLOCK = re.compile(r"^```(?:(python|console)|\{drawn\} gallery-(\w+))\n(.*?)^```
 
 
 def write() -> None:
-    """Run the page where a picture is missing, or the page or the code that draws has changed."""
+    """Run the page if a picture is missing, or if the page or the drawing code has changed."""
     text = PAGE.read_text(encoding="utf-8")
     made_from = hashlib.sha256(text.encode())
     import jounce.plots
@@ -41,7 +41,7 @@ def write() -> None:
 
 
 def run(kind: str, name: str, block: str, scope: dict[str, Any], mark: str) -> None:
-    """Run a block of Python or of commands, or draw what the ones before have left."""
+    """Run a block of Python or commands, or draw the figure of the previous blocks."""
     if kind == "python":
         exec(compile(block, str(PAGE), "exec", dont_inherit=True), scope)  # noqa: S102 - our own page
     elif kind == "console":

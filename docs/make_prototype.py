@@ -1,7 +1,7 @@
-"""The numbers of both pages on the prototype paper: its strategies on benches of known truth, and the whole vehicle.
+"""The numbers of both pages on the prototype paper: its strategies on benches with known values, and the whole vehicle.
 
-``python docs/make_prototype.py`` runs the benches (half an hour of one core) and keeps what came out in
-``explanation/quarter-car-prototype.json``; with names of benches it runs these alone. The page reads tables and numbers
+``python docs/make_prototype.py`` runs the benches (half an hour on one core) and stores the results in
+``explanation/quarter-car-prototype.json``; with names of benches it runs only these. The page reads tables and numbers
 from there.
 """
 
@@ -23,7 +23,7 @@ ALL = tuple(range(1, 17))
 
 @dataclass(frozen=True)
 class Bench:
-    """A truth with changes, and how its campaign is run."""
+    """A truth with changes, and the options of its campaign."""
 
     truth: str
     what: str = ""  # is changed, in the words of the table of causes; empty where it is not there
@@ -67,7 +67,7 @@ Numbers = dict[str, Any]
 
 
 def run(bench: Bench) -> Numbers:
-    """Run a campaign as `jounce campaign synthesise` and `run` do, without the strategies behind those asked for."""
+    """Run a campaign as `jounce campaign synthesise` and `run` do, without later strategies."""
     import jounce as jn
     from jounce.papers.virtual_bench import virtual_bench
 
@@ -111,7 +111,7 @@ SPEEDS_OF_VEHICLE = (1.95, 2.86, 3.79)
 
 
 def whole_vehicle() -> Numbers:
-    """Run the whole vehicle over an obstacle under its left wheels, and beside it a guide alone and a quarter."""
+    """Run the whole vehicle over an obstacle under its left wheels, and for comparison a guide alone and a quarter."""
     import numpy as np
 
     import jounce as jn
@@ -147,7 +147,7 @@ def whole_vehicle() -> Numbers:
 
 
 def table_of_vehicle() -> str:
-    """What the joint changes, at each speed."""
+    """Effect of the joint at each speed."""
     rows = results()["whole vehicle"]
     lines = [
         ("acceleration of the body over the front left wheel, guide and joint", "joint", "{:.1f} m/s²", 1.0),
@@ -167,7 +167,7 @@ def table_of_vehicle() -> str:
 
 
 def results() -> dict[str, Numbers]:
-    """What came out of each bench, by its name."""
+    """Results of each bench, by its name."""
     found: dict[str, Numbers] = json.loads(FILE.read_text(encoding="utf-8"))
     return found
 
@@ -194,7 +194,7 @@ def reductions() -> str:
 
 
 def causes() -> str:
-    """R² of body and wheel after strategies 1 and 2, for each change by itself."""
+    """R² of body and wheel after strategies 1 and 2, for each single change."""
     lines, before = ["| bench | what is changed | after strategy 1 | after strategy 2 |", "|---|---|---|---|"], ""
     for name, bench in BENCHES.items():
         if bench.what:
@@ -205,7 +205,7 @@ def causes() -> str:
 
 
 def numbers() -> dict[str, str]:
-    """Numbers within the page's sentences, by the names that it has for them."""
+    """Numbers in the page's sentences, by their placeholders."""
     kept = results()
 
     def wheel(name: str, number: int, strategy: int = 2) -> str:

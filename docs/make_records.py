@@ -1,7 +1,7 @@
-"""Records of known truth, spoilt in every way, put through each command: the counts of what-no-file-can-tell.md.
+"""Count the results of each command for faulty records with known values, for what-no-file-can-tell.md.
 
-``python docs/make_records.py`` counts them (a quarter of an hour of one core) and keeps the counts, and the names of
-what stays silent, in ``explanation/wrong-records.json``; with names of commands it counts these alone.
+``python docs/make_records.py`` counts them (a quarter of an hour on one core) and stores the counts, and the names of
+silently wrong records, in ``explanation/wrong-records.json``; with names of commands it counts only these.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Verdicts = Iterator[tuple[str, str, str]]
 
 
 def judged_test(record: TesterRecord) -> str:
-    """Whether an inspection's values are right, told by a finding of the cause, refused, or silently wrong."""
+    """Whether an inspection's values are right, reported with the cause, refused, or silently wrong."""
     tester = load_tester(record.tester)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "lane.csv"
@@ -87,7 +87,7 @@ COMMANDS: dict[str, Callable[[], Verdicts]] = {
 
 
 def counted(verdicts: Verdicts) -> dict[str, object]:
-    """Counts of the verdicts, and names of what is silently wrong or a false alarm."""
+    """Counts of the verdicts, and names of silently wrong records and false alarms."""
     kept = list(verdicts)
     counts = Counter(verdict for _, _, verdict in kept)
     names = [f"{verdict}: {group}, {name}" for group, name, verdict in kept if verdict in ("silent", "false alarm")]

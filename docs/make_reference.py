@@ -49,7 +49,7 @@ SUBJECTS = {
 
 
 def names() -> dict[str, list[tuple[str, Any]]]:
-    """Everything that ``import jounce`` offers, by the package it lives in; of public modules, what they offer."""
+    """All public names of ``import jounce`` by package, with the names of public modules."""
     found: dict[str, list[tuple[str, Any]]] = {package: [] for package in SUBJECTS}
     for name in sorted(jounce.__all__, key=str.lower):
         value = getattr(jounce, name)
@@ -62,12 +62,12 @@ def names() -> dict[str, list[tuple[str, Any]]]:
 
 
 def _module_of(value: Any) -> str:
-    """Where a thing is written; `jounce` itself only guards it."""
+    """Module in which an object is defined."""
     return str(inspect.unwrap(value).__module__)
 
 
 def api_page(package: str, members: list[tuple[str, Any]]) -> str:
-    """One page: what there is, then each name with its docstring."""
+    """One page: a list of names, then each name with its docstring."""
     lines = [f"# {SUBJECTS[package]}", "", "| name | what it is |", "|---|---|"]
     lines += [f"| [`{name}`](#{_anchor(name)}) | {_summary(value)} |" for name, value in members]
     for name, value in members:
@@ -94,7 +94,7 @@ def _summary(value: Any) -> str:
 
 
 def write_api() -> None:
-    """Write one page a subject and the page before them; those that are as they were stay untouched."""
+    """Write one page per subject and their index; unchanged pages are not written."""
     FOLDER.mkdir(exist_ok=True)
     pages = {package: api_page(package, members) for package, members in names().items()}
     listed = "\n".join(pages)
@@ -118,7 +118,7 @@ def _write(file: Path, text: str) -> None:
 
 
 def files() -> dict[str, str]:
-    """A page for every kind of file that jounce reads as a description: its tables and their keys, from its schema."""
+    """One page per kind of description: its tables and their keys, from its schema."""
     pages = {}
     for file in sorted(SCHEMAS.glob("*.schema.json")):
         kind = file.name.partition(".")[0]
@@ -132,7 +132,7 @@ def files() -> dict[str, str]:
 
 
 def _tables(schema: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The file itself, where it is one table, and every table that stands in it."""
+    """The file itself, if it is one table, and every table in it."""
     if schema.get("properties"):
         yield "the file", schema
     for name, table in sorted(schema.get("$defs", {}).items()):
@@ -161,7 +161,7 @@ def _text(words: str) -> str:
 
 
 def _kind(value: dict[str, Any]) -> str:
-    """What a key takes, in words."""
+    """Permitted values of a key, in words."""
     if "$ref" in value:
         return f"table `{value['$ref'].rpartition('/')[2]}`"
     if "const" in value:

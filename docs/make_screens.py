@@ -1,6 +1,6 @@
-"""Pictures of the workbench for the pages that speak of it: ``make screens``, where a Chromium is installed.
+"""Pictures of the workbench for the documentation: ``make screens``, with an installed Chromium.
 
-They are committed, since a reader who builds the pages need not have a browser that can be driven.
+They are committed, so a build of the pages needs no browser.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ PAGES = ("kinematics", "trial")
 
 
 def write() -> None:
-    """Open each page in both schemes, do what its picture shows, and keep the picture."""
+    """Open each page in both colour schemes, perform the shown steps, and save the picture."""
     from PIL import Image
     from playwright.sync_api import sync_playwright
 

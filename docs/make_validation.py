@@ -1,4 +1,4 @@
-"""Writes the table of explanation/kinematics-validation.md: every row of the catalogue beside differences of poses."""
+"""Write the table of explanation/kinematics-validation.md: every row of the catalogue and differences of poses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Writes the table of how-to/recordings.md: files made from a known truth in every variant, and what became of them."""
+"""Write the table of how-to/recordings.md: results for files with known values in every variant."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def truth(time: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def table(time: np.ndarray = TIME, units: dict[str, str] = USUAL) -> dict[str, np.ndarray]:
-    """Columns as a file has them, in its units."""
+    """Columns in the units of a file."""
     columns = {"time": time, **truth(time)}
     return {name: values / conversion_factor(units[name], channel_unit(name)) for name, values in columns.items()}
 
@@ -148,7 +148,7 @@ def texts() -> Iterator[tuple[str, Variant]]:
 
 
 def samplings() -> Iterator[Variant]:
-    """Clocks of all kinds, each plain, resampled, and with a sample time."""
+    """All kinds of clocks, each plain, resampled, and with a sample time."""
     random = np.random.default_rng(3)
     steps = 0.002 * random.uniform(0.4, 1.6, TIME.size)
     clocks = {
@@ -209,7 +209,7 @@ def binaries() -> Iterator[tuple[str, Variant]]:
 
 
 def netcdf(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) -> None:
-    """As others write it."""
+    """Files as other programs write them."""
     import xarray as xr
 
     data = {name: ("time", values, {"units": units[name]}) for name, values in columns.items() if name != "time"}
@@ -285,7 +285,7 @@ UFF_NAMES = {"strut.deflection": "deflection", "strut.force": "trut.force"}  # n
 
 
 def outcomes(variants: Iterable[tuple[str, Variant]]) -> list[Group]:
-    """Every variant, judged."""
+    """Result of every variant."""
     groups: dict[str, Group] = {}
     with tempfile.TemporaryDirectory() as folder:
         for what, (name, suffix, content, told) in variants:
@@ -304,12 +304,12 @@ def outcomes(variants: Iterable[tuple[str, Variant]]) -> list[Group]:
 
 
 def held_of(what: str) -> Callable[[Any], bool] | None:
-    """Of a file that is cut off, less than the whole record is not right."""
+    """For a truncated file, an incomplete record is not right."""
     return (lambda run: run.sizes["time"] == TIME.size) if what.endswith("cut off") else None
 
 
 def mislabelled() -> list[tuple[str, int, int]]:
-    """Headers that state a wrong unit: by how much, how many pairs of units, how many of them are told."""
+    """Headers with a wrong unit: factor, number of unit pairs, number of reported ones."""
     signals = {
         **truth(TIME), "unsprung.az": 40.0 * np.sin(70.0 * TIME), "strut.deflection_velocity": 0.3 * np.sin(9.0 * TIME),
         "tyre.force": 4000.0 + 800.0 * np.sin(9.0 * TIME), "body.speed": 20.0 + 0.1 * TIME,

@@ -1,4 +1,4 @@
-"""Rides of a known truth, recorded wrongly, and what is said of them: counts for a page and a test."""
+"""Faulty records of known rides, and their findings: counts for a page and a test."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def filtered(values: np.ndarray, corner: float, order: int, *, high: bool = Fals
 
 
 def variants(run: Columns) -> Iterator[tuple[str, str, Signals, dict[str, str]]]:
-    """Kind and name of a variant, its channels with their units, and how it is read."""
+    """Kind and name of a variant, its channels with units, and options of its reader."""
     body, wheel = run["sprung.az"], run["unsprung.az"]
 
     def of(one: np.ndarray, other: np.ndarray = wheel, unit: str = "m/s^2", factor: float = 1.0) -> Signals:
@@ -88,7 +88,7 @@ def variants(run: Columns) -> Iterator[tuple[str, str, Signals, dict[str, str]]]
 
 
 def judge(signals: Signals, time: np.ndarray, unit_of_time: str, true: float, folder: Path) -> str:
-    """Right (within 5 % of the weighted acceleration), refused, told, or silently wrong."""
+    """Right (within 5 % of the weighted acceleration), refused, reported, or silently wrong."""
     file = folder / "ride.csv"
     head = ",".join([f"time [{unit_of_time}]", *(f"{name} [{unit}]" for name, (_, unit) in signals.items())])
     np.savetxt(
