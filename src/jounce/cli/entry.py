@@ -53,6 +53,7 @@ from jounce.core.errors import (
     unforeseen,
 )
 from jounce.core.interrupts import INTERRUPTED, signal_of, uncovering_interrupts
+from jounce.core.phrases import Phrase
 from jounce.core.text import shorten
 from jounce.core.trust import trusting
 
@@ -351,7 +352,7 @@ def _misused(error: Any, *, as_json: bool) -> int:
         message = f"no such option: {option}. {_instead(option, context.command.params)}".rstrip()
     if type(error).__name__ == "MissingParameter" and (told := getattr(error.param, "help", None)):
         message = f"{message.rstrip('.')}: {told[:1].lower()}{told[1:]}"
-    hint = f"See `{path} --help`."
+    hint = Phrase("See `{path} --help`.", path=path)
     message = message if message.endswith((".", "?")) else f"{message}."
     plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}
     return report_error(plain, REFUSED, as_json=as_json)

@@ -18,6 +18,7 @@ from pathlib import Path
 from zipfile import BadZipFile, ZipFile
 
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.phrases import Phrase
 from jounce.core.writing import lasting_folder
 
 _PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
@@ -133,7 +134,7 @@ def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path
             while share := source.read(_SHARE):
                 size += len(share)
                 if size > _LARGEST:
-                    allowed = f"up to {_LARGEST / 1e9:.3g} GB"
+                    allowed = Phrase("up to {largest:.3g} GB", largest=_LARGEST / 1e9)
                     raise DescriptionError("the pipe does not end", where=name, allowed=allowed)
                 target.write(share)
     except OSError as error:

@@ -398,7 +398,9 @@ class _OwnFunction:
         if len(commands) == len(corners):
             with contextlib.suppress(TypeError, ValueError):
                 return [float(command) for command in commands]
-        several = f"{len(corners)} numbers: a dict or a sequence for {', '.join(corners)}"
+        several = Phrase(
+            "{count} numbers: a dict or a sequence for {corners}", count=len(corners), corners=", ".join(corners)
+        )
         raise SimulationError(
             "the controller's answer is not a command",
             where=f"control function at t = {t:.6g} s",

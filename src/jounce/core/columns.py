@@ -285,7 +285,7 @@ def _check_memory(size: int, file: Path) -> None:
             "the file needs more memory than is available",
             where=str(file),
             found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",
-            allowed=Phrase("{free:.3g} GB", free=free / 1000000000.0),
+            allowed=Phrase("{free:.3g} GB", free=free / 1e9),
             hint="Export fewer channels or a part of the record, or a binary format (.mf4, .tdms, .parquet, .mat).",
         )
 
@@ -357,7 +357,7 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
         cells = max(len(line.split()), *(line.count(mark) + 1 for mark in ",;\t"))
         if cells > _MOST_COLUMNS:
             hint = "Export fewer channels, or a binary format (.mf4, .tdms, .parquet, .mat)."
-            where, allowed = at_line(file, number), f"up to {_MOST_COLUMNS}"
+            where, allowed = at_line(file, number), Phrase("up to {most_columns}", most_columns=_MOST_COLUMNS)
             raise RecordingError("too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint)
 
 
@@ -638,7 +638,7 @@ def _columns(
         if not name:
             if fault is not None and fault.what == _BLANK:
                 continue
-            what = f"column {position} has no name"
+            what = Phrase("column {position} has no name", position=position)
             name, fault = (
                 f"column {position}",
                 RecordingError(what, where=str(file), found=head, allowed="'name [unit]'"),

@@ -86,9 +86,12 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
             return unknown(name, type(self).model_fields, what="field", where=type(self).__name__)
         change = f"'{name}': {show_value(value)}"
         if hasattr(self, "with_changes"):
-            hint = f"Make a changed copy: with_changes({{{change}}})."
+            hint = Phrase("Make a changed copy: with_changes({{{change}}}).", change=change)
         else:
-            hint = f"Make a changed copy: model_copy(update={{{change}}}), or of a whole rig: rig.with_changes(...)."
+            hint = Phrase(
+                "Make a changed copy: model_copy(update={{{change}}}), or of a whole rig: rig.with_changes(...).",
+                change=change,
+            )
         return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
@@ -136,7 +139,7 @@ def description_text(path: Path | str) -> str:
     """
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
-        allowed = f"at most {_LARGEST // 1_000_000} MB of text"
+        allowed = Phrase("at most {largest} MB of text", largest=_LARGEST // 1_000_000)
         raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
     content = content_of(file)
     is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))

@@ -246,7 +246,7 @@ def _read_metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
     parts = words.split()
     kind = parts.pop(0) if len(parts) == 2 else "value"
     if kind not in _KINDS or len(parts) != 1:
-        allowed = f"a quantity of the catalogue, or {', '.join(_KINDS)} before one"
+        allowed = Phrase("a quantity of the catalogue, or {kinds} before one", kinds=", ".join(_KINDS))
         raise DescriptionError("not a metric of kinematics", where=where, found=words, allowed=allowed)
     known = {quantity.name: quantity for quantity in CATALOGUE}
     if parts[0] not in known:
@@ -262,7 +262,7 @@ def _draw_samples(
     if not spread:
         return [rig], [ones]
     if not (is_whole(samples) and 2 <= samples <= _MOST_SAMPLES):
-        allowed = f"2 to {_MOST_SAMPLES}"
+        allowed = Phrase("2 to {most_samples}", most_samples=_MOST_SAMPLES)
         raise DescriptionError("not a number of samples", where="samples", found=samples, allowed=allowed)
     known = rig.parameters()
     for path in spread:

@@ -163,7 +163,9 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
         )
     names = [goals] if isinstance(goals, str) else [str(goal) for goal in goals]
     if not _FEWEST_GOALS <= len(names) <= MOST_GOALS or len(set(names)) < len(names):
-        allowed = f"{_FEWEST_GOALS} to {MOST_GOALS} different metrics"
+        allowed = Phrase(
+            "{fewest_goals} to {most_goals} different metrics", fewest_goals=_FEWEST_GOALS, most_goals=MOST_GOALS
+        )
         raise DescriptionError("at least two goals are needed", where="front", found=", ".join(names), allowed=allowed)
     rig = as_rig(rig)
     given = {name: value for name, value in (("road", road), ("speed", speed), ("band", band)) if value is not None}

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
 from jounce.design.free_points import Numbering, Rigs
@@ -147,7 +148,7 @@ def _read_target(
         if np.any(low > high):
             raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
     if target.tolerance is None and unit not in USUAL_TOLERANCES:
-        text, allowed = "the key is missing", f"how exactly it is wanted, above 0 {unit}"
+        text, allowed = "the key is missing", Phrase("how exactly it is wanted, above 0 {unit}", unit=unit)
         raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
     given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
     tolerance = positive_si(given, unit, where=f"{where}.tolerance")

@@ -189,7 +189,11 @@ def nuisances_of(
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
         high = min(high, FASTEST * rate)
         if not 0.0 < low < high:
-            allowed = f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
+            allowed = Phrase(
+                "two corners, the lower above 0 and below {fastest:g} Hz, {second_fastest:g} of the sample rate",
+                fastest=FASTEST * rate,
+                second_fastest=FASTEST,
+            )
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
         found.append(SearchedNuisance(name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
     return tuple(found)

@@ -130,7 +130,13 @@ class Criterion(Description):
                 ("a gap", (low.end, high.start)) if low.end < high.start else ("an overlap", (high.start, low.end))
             )
             names = f"{low.label!r} and {high.label!r}"
-            text = f"{what} from {self._limit_text(ends[0])} to {self._limit_text(ends[1])}, between {names}"
+            text = Phrase(
+                "{what} from {limit_text} to {second_limit_text}, between {names}",
+                what=what,
+                limit_text=self._limit_text(ends[0]),
+                second_limit_text=self._limit_text(ends[1]),
+                names=names,
+            )
             raise error_at(("bands", i), Phrase("{text}; each band must begin where the one before it ends", text=text))
         return self
 

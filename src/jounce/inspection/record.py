@@ -182,7 +182,7 @@ def _text(value: object, where: str) -> str:
     is_number = isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME  # NaN is not below it
     text = str(plain) if is_number or isinstance(plain, str) else None
     if text is None or len(text) > _LONGEST_TEXT or "\0" in text:
-        allowed = f"text of at most {_LONGEST_TEXT} characters, a date"
+        allowed = Phrase("text of at most {longest_text} characters, a date", longest_text=_LONGEST_TEXT)
         raise DescriptionError("not a text", where=where, found=value, allowed=allowed)
     return text
 
@@ -246,7 +246,7 @@ def _unit_error(error: DescriptionError) -> DescriptionError:
     unit = str(error.found or "")
     hint = error.hint
     if unit in words and "convert" in error.allowed:
-        hint = f"{unit!r} is a mass; write {words[unit]!r} for the force."
+        hint = Phrase("{unit!r} is a mass; write {words!r} for the force.", unit=unit, words=words[unit])
     return DescriptionError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
 
 

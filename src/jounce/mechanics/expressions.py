@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError
+from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 
 
@@ -16,7 +17,9 @@ def check_name(name: object, where: str = "") -> str:
     if isinstance(name, str) and name and name == name.strip():
         return name
     named = getattr(name, "name", None)
-    hint = f"Give the name, {named!r}." if isinstance(named, str) and not isinstance(name, str) else ""
+    hint = (
+        Phrase("Give the name, {named!r}.", named=named) if isinstance(named, str) and not isinstance(name, str) else ""
+    )
     text = name if isinstance(name, str) else type(name).__name__
     raise AssemblyError("not a name", where=where, found=text, allowed="text without blanks around it", hint=hint)
 
@@ -29,7 +32,11 @@ def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
         return ca.SX(to_si(value, unit, where=where))
     if isinstance(value, list | tuple | np.ndarray) and len(np.shape(np.asarray(value, dtype=object))) == 1:
         return ca.vertcat(*(expression_of(part, where, unit) for part in value))
-    allowed = f"numbers in {unit} or with their unit, or expressions of casadi.SX" if unit != "1" else "casadi.SX"
+    allowed = (
+        Phrase("numbers in {unit} or with their unit, or expressions of casadi.SX", unit=unit)
+        if unit != "1"
+        else "casadi.SX"
+    )
     raise AssemblyError("not an expression", where=where, found=type(value).__name__, allowed=allowed)
 
 

@@ -601,7 +601,7 @@ class Mechanism(Structure):
                 owner.name if self.bodies.get(owner.name) is owner else f"{owner.name} of another mechanism"
                 for owner in owners
             )
-            hint = f"Ask {body.name} for its point, or use push_apart() between two bodies."
+            hint = Phrase("Ask {name} for its point, or use push_apart() between two bodies.", name=body.name)
             raise AssemblyError("a point of another body", where=where, found=names, hint=hint)
         return point
 

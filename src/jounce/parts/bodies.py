@@ -86,7 +86,12 @@ class Inertia(Description):
     def _some_body_has_it(self) -> Self:
         moments = self.principal_moments
         smallest, middle, largest = (f"{moment:.6g}" for moment in moments)
-        shown = f"its principal moments are {smallest}, {middle} and {largest} kg m^2"
+        shown = Phrase(
+            "its principal moments are {smallest}, {middle} and {largest} kg m^2",
+            smallest=smallest,
+            middle=middle,
+            largest=largest,
+        )
         if moments[0] <= 0.0:
             raise ValueError(
                 Phrase(

@@ -15,6 +15,7 @@ from pydantic.fields import FieldInfo
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import once_per_object
 from jounce.core.units import Unit
 
@@ -105,7 +106,7 @@ def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> Descrip
         hint = f"Did you mean {names}? {every}".rstrip()
         return DescriptionError("no such parameter", where=where, hint=hint)
     begins = dict.fromkeys(re.split(r"[.[]", path)[0] for path in paths)
-    allowed = f"paths that begin with {', '.join(begins)}" if every else ", ".join(paths)
+    allowed = Phrase("paths that begin with {begins}", begins=", ".join(begins)) if every else ", ".join(paths)
     return DescriptionError("no such parameter", where=where, allowed=allowed, hint=every)
 
 

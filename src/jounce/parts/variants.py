@@ -118,7 +118,7 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
         allowed = "rigs that give strut_bottom and strut_top only"
     else:
         return cast(Triple, points.strut_bottom), cast(Triple, points.strut_top)
-    hint = f'Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.'
+    hint = Phrase('Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.', moved=moved)
     raise DescriptionError(problem, where="strut angle", found=cause, allowed=allowed, hint=hint)
 
 

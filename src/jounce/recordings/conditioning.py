@@ -98,7 +98,7 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     given = _electrical_unit(match["unit"].strip())
     if given is None or not is_unit_of(per, unit):
         wrong = match["unit"].strip() if given is None else per
-        allowed = f"{_EXAMPLES}; behind the stroke a unit that converts to {unit}"
+        allowed = Phrase("{examples}; behind the stroke a unit that converts to {unit}", examples=_EXAMPLES, unit=unit)
         raise DescriptionError(
             Phrase("the unit {wrong!r} does not fit a sensitivity", wrong=wrong),
             where=where,

@@ -301,7 +301,7 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
             Phrase("{what} is not positive", what=what), where=where.rpartition(": ")[0], found=f"{step:g} s"
         )
     if step < _SHORTEST_STEP:
-        found, allowed = f"{step:g} s", f"{_SHORTEST_STEP:g} s or more"
+        found, allowed = f"{step:g} s", Phrase("{shortest_step:g} s or more", shortest_step=_SHORTEST_STEP)
         raise RecordingError(
             Phrase("{what} is too short", what=what), where=where.rpartition(": ")[0], found=found, allowed=allowed
         )
@@ -480,7 +480,11 @@ def locate(table: ColumnTable, spec: str) -> Column:
     column = table[name]
     own = "" if name in (column.written, column.label) else column.unit  # 'Force [N]' with another unit behind it
     if unit and own and unit != own:
-        hint = f"Where the header is wrong, name it in full and the right unit behind it: '{column.label} [{unit}]'."
+        hint = Phrase(
+            "Where the header is wrong, name it in full and the right unit behind it: '{label} [{unit}]'.",
+            label=column.label,
+            unit=unit,
+        )
         raise RecordingError(
             "the column has another unit", where=column.where, found=column.unit, allowed=unit, hint=hint
         )

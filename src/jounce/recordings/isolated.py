@@ -226,7 +226,7 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
         f"the file takes more memory than {'a file of its size may' if allowed else 'there is'}",
         where=path,
         found=str(error) or None,
-        allowed=Phrase("{allowed:.1f} GB", allowed=allowed / 1000000000.0) if allowed else "",
+        allowed=Phrase("{allowed:.1f} GB", allowed=allowed / 1e9) if allowed else "",
         hint="It is damaged, or holds far more than its size tells.",
     )
 

@@ -91,7 +91,9 @@ def _inflated(path: Path) -> io.BytesIO:
         body = content[at + 8 : at + 8 + size]
         if len(body) < size or at + 8 > len(content):
             what = "the file was cut off within a variable"
-            raise RecordingError(what, where=str(path), found=f"{len(body)} bytes", allowed=f"{size} bytes")
+            raise RecordingError(
+                what, where=str(path), found=f"{len(body)} bytes", allowed=Phrase("{size} bytes", size=size)
+            )
         variable = content[at : at + 8 + size]
         if kind == _COMPRESSED:
             inflater = zlib.decompressobj()

@@ -9,6 +9,7 @@ from typing import Any
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.recordings.hdf5 import surplus
 
 _END = 8  # bytes after the footer: its length, and the magic number
@@ -44,7 +45,7 @@ def check_end(metadata: Any, path: Path) -> list[Finding]:
     footer, _ = _struct(content, start, 0)
     last = max(_ends(content, footer), default=start)
     if last > start:
-        what = f"its footer says that numbers lie in its last {last - start} bytes: it is damaged"
+        what = Phrase("its footer says that numbers lie in its last {last} bytes: it is damaged", last=last - start)
         raise RecordingError(what, where=str(path), hint="Use an original copy.")
     return surplus(last, start, str(path))
 

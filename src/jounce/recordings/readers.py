@@ -355,7 +355,11 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
         rows = max(set(lengths), key=lambda length: (lengths.count(length), length))
     else:
         hint = (
-            f"Objects (timeseries, tables) cannot be read: {', '.join(unread)}. Save plain vectors." if unread else ""
+            Phrase(
+                "Objects (timeseries, tables) cannot be read: {unread}. Save plain vectors.", unread=", ".join(unread)
+            )
+            if unread
+            else ""
         )
         raise RecordingError("no numeric variable with more than one row", where=str(path), hint=hint)
     columns = []

@@ -76,7 +76,7 @@ def _check_name(name: str, signs: str, instead: str) -> None:
     """Refuse a name that a format cannot hold: empty, only dots, or with some signs or a line break."""
     if not name.strip(" .") or any(sign in name for sign in (*signs, "\n", "\r")):
         words = " ".join(repr(sign) for sign in signs)
-        hint = f"Rename the channel, or write {instead}."
+        hint = Phrase("Rename the channel, or write {instead}.", instead=instead)
         raise OutputError(
             "a name that the file cannot hold",
             where="channel",

@@ -478,7 +478,7 @@ def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
     if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
         damage = "heights above 10 km"
     elif ((grid > 0.0) & (grid < _SMALLEST)).any():
-        damage = f"heights below {_SMALLEST:g} m, as a wrong byte order produces"
+        damage = Phrase("heights below {smallest:g} m, as a wrong byte order produces", smallest=_SMALLEST)
     elif len(height) > 2:
         out = np.abs(height[1:-1] - height[:-2]), np.abs(height[1:-1] - height[2:])
         spikes = np.flatnonzero((out[0] > _SPIKE) & (out[1] > _SPIKE) & (np.abs(height[2:] - height[:-2]) < _SPIKE))

@@ -73,7 +73,7 @@ def _check_options(
     if excitation is not None:
         for option, value, what in (("--speed", speed, "speed"), ("--right-road", right_road, "road")):
             if value is not None:
-                hint = f"Leave out the {what}."
+                hint = Phrase("Leave out the {what}.", what=what)
                 raise DescriptionError("an excitation is already a function of time", where=option, hint=hint)
         return {} if duration is None else {"duration": duration}
     for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):

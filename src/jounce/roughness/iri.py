@@ -289,7 +289,7 @@ def _check_finite(values: Array, where: str) -> None:
     row = int(np.argmax(bad))
     padding = inside.size > 0 and not bad[inside[0] : inside[-1] + 1].any()
     hint = "Cut the padding off." if padding else "Fill the gap, or evaluate the parts one by one."
-    what = f"{int(bad.sum())} values are not finite numbers, the first at row {row + 1}"
+    what = Phrase("{count} values are not finite numbers, the first at row {row}", count=int(bad.sum()), row=row + 1)
     raise RecordingError(what, where=where, found=str(values[row]), hint=hint)
 
 

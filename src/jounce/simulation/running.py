@@ -105,7 +105,7 @@ def _count(start: Start) -> int:
     except ValueError:
         loops = -1
     if not 0 <= loops <= MOST_LOOPS:
-        allowed = f"rest, periodic, or 0 to {MOST_LOOPS} loops"
+        allowed = Phrase("rest, periodic, or 0 to {most_loops} loops", most_loops=MOST_LOOPS)
         raise SimulationError("not a start", where="start", found=start, allowed=allowed)
     return loops
 

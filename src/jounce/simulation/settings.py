@@ -71,7 +71,7 @@ class RunSettings:
                 "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"
             )
         if not _FINEST <= self.tolerance <= COARSEST:
-            allowed = f"{_FINEST:g} to {COARSEST:g}"
+            allowed = Phrase("{finest:g} to {coarsest:g}", finest=_FINEST, coarsest=COARSEST)
             raise SimulationError("not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed)
         if self.method not in METHODS:
             raise SimulationError("not a method", where="method", found=self.method, allowed=", ".join(METHODS))

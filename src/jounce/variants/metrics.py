@@ -101,7 +101,9 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
     error = unknown(name, units, what="channel", where="metrics")
     if name not in {row.name for row in CATALOGUE}:
         return error
-    hint = f"{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel."
+    hint = Phrase(
+        "{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel.", name=name
+    )
     return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)
 
 

@@ -14,6 +14,7 @@ import tomlkit
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.phrases import Phrase
 from jounce.operations.index import operations
 from jounce.operations.request import Request
 from jounce.web.project import Project
@@ -249,7 +250,7 @@ def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
     with only_below(project.root):
         trial = Trial(road=ROADS[kind](**road), speed=table["speed"], duration=table["duration"])
     if trial.duration / _STEP > _MOST_STEPS:
-        most = f"up to {_MOST_STEPS * _STEP:g} s"
+        most = Phrase("up to {most_steps:g} s", most_steps=_MOST_STEPS * _STEP)
         raise DescriptionError("too long to be waited for", where="duration", found=table["duration"], allowed=most)
     return trial
 

@@ -250,7 +250,7 @@ def read_fmu(path: Path | str) -> FmuComponent:
             raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
         info = members["modelDescription.xml"]
         if info.file_size > _LONGEST_DESCRIPTION:
-            most = f"up to {_LONGEST_DESCRIPTION // 1_000_000} MB"
+            most = Phrase("up to {longest_description} MB", longest_description=_LONGEST_DESCRIPTION // 1_000_000)
             raise DescriptionError("its description is too large", where=str(file), allowed=most)
         text = archive.read(info)
     return _component(file, _parse(text, str(file)), members)
@@ -285,7 +285,7 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
             allowed=Phrase(
                 "{most_files} files of {most_bytes:g} MB together",
                 most_files=_MOST_FILES,
-                most_bytes=_MOST_BYTES / 1000000.0,
+                most_bytes=_MOST_BYTES / 1e6,
             ),
         )
     members: dict[str, zipfile.ZipInfo] = {}

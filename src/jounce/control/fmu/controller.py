@@ -182,7 +182,7 @@ class _Whole:
         if value % 1.0 == 0.0 and self.least <= value <= self.most:
             return value
         is_between = not self.is_rounded and value % 1.0 != 0.0
-        hint = f"Say what a count is, counts = {{ {self.name!r} = ... }}, or connect another channel."
+        hint = Phrase("Say what a count is, counts = {{ {name!r} = ... }}, or connect another channel.", name=self.name)
         raise SimulationError(
             Phrase("the input {name} takes whole numbers, and {channel} is none", name=self.name, channel=self.channel)
             if is_between
@@ -415,7 +415,11 @@ class _Connection:
             if place.at is None:
                 values = _flatten(value, variable.dimensions)
                 if values is None:
-                    text = f"{' x '.join(map(str, variable.dimensions))} values in a list, or {_elements(variable)}"
+                    text = Phrase(
+                        "{shape} values in a list, or {elements}",
+                        shape=" x ".join(map(str, variable.dimensions)),
+                        elements=_elements(variable),
+                    )
                     raise DescriptionError("not the values of an array", where=where, found=value, allowed=text)
                 starts[variable.name] = variable, [self._value(variable, element, where) for element in values]
                 continue
@@ -436,11 +440,13 @@ class _Connection:
             a, b = self.component.conversion(variable, si)
             return a * to_si(value, si, where=where) + b
         if not isinstance(value, (bool, int, float)) or value % 1 or (kind == "Boolean" and value not in (0, 1)):
-            allowed = "true, false, 0, 1" if kind == "Boolean" else f"a whole number ({variable.kind})"
+            allowed = (
+                "true, false, 0, 1" if kind == "Boolean" else Phrase("a whole number ({kind})", kind=variable.kind)
+            )
             raise DescriptionError("not a value of its type", where=where, found=value, allowed=allowed)
         least, most = _range(variable, self.component.version)
         if not least <= value <= most:
-            allowed = f"{kind}, {least} to {most}"
+            allowed = Phrase("{kind}, {least} to {most}", kind=kind, least=least, most=most)
             raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=allowed)
         return int(value)
 
@@ -696,7 +702,7 @@ class _FmuRegulator:
         return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
 
     def _failure(self, error: Exception) -> SimulationError:
-        hint = f"It needs {self._tool} on this machine." if self._tool and not self._instant else ""
+        hint = Phrase("It needs {tool} on this machine.", tool=self._tool) if self._tool and not self._instant else ""
         return SimulationError(str(error), where=self._now(), hint=hint)
 
     def _now(self) -> str:

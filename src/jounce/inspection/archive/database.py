@@ -243,7 +243,10 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         raise DescriptionError(what, where="store", found=hide_password(location), allowed=allowed, hint=hint) from None
     except ModuleNotFoundError as error:
         command = how_to_install("postgresql") if error.name == "psycopg" else f"pip install {error.name}"
-        what, hint = "the driver of this database is not installed", f"Install it with: {command}"
+        what, hint = (
+            "the driver of this database is not installed",
+            Phrase("Install it with: {command}", command=command),
+        )
         raise RecordingError(what, where=hide_password(location), hint=hint) from None
     try:
         with reported_errors(hide_password(location)), engine.begin() as connection:
@@ -367,7 +370,7 @@ def _check_file(file: Path) -> None:
         if has_log or size >= stated:
             return
         time.sleep(0.05 * (attempt + 1))  # another process may be putting its last pages in place
-    what = f"the store is damaged: {size} of {stated} bytes are there"
+    what = Phrase("the store is damaged: {size} of {stated} bytes are there", size=size, stated=stated)
     raise DamagedStoreError(what, where=str(file), hint=_LEFT_ALONE)
 
 

@@ -233,7 +233,7 @@ def _text(file: Path) -> str:
 def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
     for number, line in enumerate(_text(file).splitlines(), 1):
         if len(line) > LONGEST_LINE:
-            where, allowed = at_line(file, number), f"up to {LONGEST_LINE} characters"
+            where, allowed = at_line(file, number), Phrase("up to {longest_line} characters", longest_line=LONGEST_LINE)
             raise DescriptionError("a line is too long for a point", where=where, found=f"{len(line)}", allowed=allowed)
         bare = line.strip()
         if bare.startswith("#"):  # a comment, unless it names columns or the unit

@@ -309,7 +309,7 @@ class _Entries:
         self.rows: dict[str, list[tuple[list[str], int]]] = {}
         section = ""
         if existing_file(file).stat().st_size > _LARGEST:
-            allowed = f"at most {_LARGEST // 1_000_000} MB"
+            allowed = Phrase("at most {largest} MB", largest=_LARGEST // 1_000_000)
             raise DescriptionError("the file is too large for a tyre property file", where=str(file), allowed=allowed)
         content = content_of(file)
         if b"\0" in content:
