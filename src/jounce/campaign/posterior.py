@@ -257,7 +257,7 @@ def campaign_next_trials(
     knowledge, trials, free, settings = _prepared_update(runner, start, strategy, path, noise_only=noise_only)
     candidates, lost = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
     basis = update_with_density(trials, free, settings, progress).basis
-    progress(f"{settings.name}: {len(candidates)} trials that could be run")
+    progress(Phrase("{name}: {count} trials that could be run", name=settings.name, count=len(candidates)))
     found = next_trials(basis, candidates, count=count)
     return replace(found, findings=(*found.findings, *lost))
 

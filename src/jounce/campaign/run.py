@@ -41,7 +41,7 @@ from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
-from jounce.core.phrases import Phrase
+from jounce.core.phrases import Phrase, Phrases
 from jounce.core.waiting import progress_through
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
@@ -152,7 +152,8 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
         findings += road_findings(road, f"roads.{name}")
     for check in checks_of(campaign, rig, file):
         findings += check()
-    progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
+    parts = [Phrase(name) for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)]
+    progress(Phrase("bench: {parts}", parts=Phrases(", ", parts)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent, campaign.sensors)
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
@@ -424,13 +425,13 @@ class Runner:
                 if error.sought is not None:
                     self.sought[number] = error.sought
                 code = "campaign.trial_left_out" if self.campaign.belt else "campaign.obstacle_not_seen"
-                said = str(error).removeprefix(f"{name}: ")
+                said: str = error.message(within=name)
                 self.findings.append(finding(code, name, error=said))
                 if self.campaign.belt:
                     del self.loaded[number]
                 continue
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                said = reason(error).removeprefix(f"{name}: ")
+                said = reason(error, name)
                 self.findings.append(finding("campaign.trial_left_out", name, error=said))
                 del self.loaded[number]
                 continue
@@ -498,7 +499,7 @@ class Runner:
                 )
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                said = reason(error).removeprefix(f"{entry.name}: ")
+                said = reason(error, entry.name)
                 self.findings.append(finding("campaign.update_left_out", entry.name, error=said))
         return list(done.values())
 
@@ -663,7 +664,8 @@ class Runner:
         if item is None:
             return TrialResult(entry, None, None, None, {}, {})
         which = list(self.loaded).index(entry.number) + 1
-        self.progress(progress_through("compare trial {which} of {count}: {name}", which, len(self.loaded), name=name))
+        title = Phrase("trial {number}", number=entry.number)
+        self.progress(progress_through("compare trial {which} of {count}: {name}", which, len(self.loaded), name=title))
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self.comparison(item, start, lag)

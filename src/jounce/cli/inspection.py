@@ -280,7 +280,7 @@ def evaluate(
     numbers: list[int] = []
     with nullcontext() if store is None else closing(_store_at(store)) as opened, progress() as say:
         for file in record:
-            say(f"evaluating {file.name}")
+            say(Phrase("evaluating {name}", name=file.name))
             inspected.append(_inspect(file, task, graded_by, {"vehicle": name, **given}, opened, numbers))
     whole = grade_vehicle([one.graded for one in inspected])
     about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
@@ -454,7 +454,7 @@ def import_(
     failed: dict[str, str] = {}
     with closing(Store(store)) as opened, progress() as say:
         for file in files:
-            say(f"importing {file.name}")
+            say(Phrase("importing {name}", name=file.name))
             try:
                 kept.append(import_record(file, opened, chosen, methods=method, limits=graded_by))
             except (JounceError, OSError) as error:

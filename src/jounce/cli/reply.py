@@ -189,11 +189,11 @@ class Elapsed:
 
         Examples
         --------
-        >>> from jounce.core.waiting import counted
+        >>> from jounce.core.waiting import progress_through
         >>> time = iter((0.0, 0.0, 8.0, 9.0))
         >>> line = Elapsed(lambda: next(time))
-        >>> line.say(counted("testing {which} of {count}", 1, 10))
-        >>> line.say(counted("testing {which} of {count}", 5, 10))
+        >>> line.say(progress_through("testing {which} of {count}", 1, 10))
+        >>> line.say(progress_through("testing {which} of {count}", 5, 10))
         >>> line.text()   # 2 s each, of which this one has had 1 s
         'testing 5 of 10 · 9 s, 40 %, about 11 s left'
         """
@@ -259,12 +259,12 @@ def progress() -> Iterator[Callable[[str], None]]:
     if follower is None and not sys.stderr.isatty():
         yield lambda _: None
         return
-    from jounce.core.waiting import heard_by
+    from jounce.core.waiting import Waiting, heard_by
 
     line = Elapsed()
 
     def wait(text: str | None) -> None:
-        line.waits = text.rpartition(",")[0] if text else ""
+        line.waits = text.what if isinstance(text, Waiting) else text or ""
         if follower is not None:
             follower(line)
 

@@ -54,11 +54,13 @@ class JounceError(Exception):
         plain = self.found if isinstance(self.found, (str, int, float, type(None))) else show_value(self.found)
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
-    def message(self, *, placed: bool = True) -> Phrase:
-        """Give its parts as one sentence, with its place if ``placed``."""
-        value = None if self.found is None else show_value(self.found)
-        where = self.where if placed else ""
-        return Message(self.what, where=where, found=value, allowed=self.allowed, hint=self.hint)
+    def message(self, *, placed: bool = True, within: str = "") -> Phrase:
+        """Give its parts as one sentence, with its place if ``placed``; a place ``within`` is left out."""
+        found = None if self.found is None else show_value(self.found)
+        where = self.where if placed and self.where != within else ""
+        if within and where.startswith(f"{within}: "):
+            where = where.removeprefix(f"{within}: ")
+        return Message(self.what, where=where, found=found, allowed=self.allowed, hint=self.hint)
 
 
 class Message(Phrase):
@@ -108,6 +110,33 @@ class Message(Phrase):
         if hint:
             return f"{text if text.endswith(('.', '?')) else f'{text}.'} {hint}"
         return text if text.endswith((".", "?")) else f"{text}."
+
+
+class Clause(Phrase):
+    """A message without its full stop, as a part of another sentence.
+
+    Examples
+    --------
+    >>> Clause(DescriptionError("out of range").message()), Clause("no value.")
+    ('out of range', 'no value')
+    """
+
+    __slots__ = ("_whole",)
+    _whole: str
+
+    def __new__(cls, message: str, /) -> Clause:
+        """Take the full stop away."""
+        clause = str.__new__(cls, message.removesuffix("."))
+        clause._whole = message
+        return clause
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Clause, (self._whole,)
+
+    def german(self) -> str | None:
+        """The same in German; None if the message has none."""
+        german = german_of(self._whole)
+        return None if german is None else german.removesuffix(".")
 
 
 def _message(where: str, what: str, value: str | None, allowed: str, hint: str) -> Message:
@@ -216,8 +245,8 @@ def resource_error(error: BaseException, where: str = "") -> ResourceError:
     return ResourceError(what, where=where, found=str(error) if what == _LIBRARY[0] else None, hint=hint)
 
 
-def reason(error: Exception) -> str:
-    """Reason why a file, trial or variant is skipped while work continues with the others.
+def reason(error: Exception, within: str = "") -> str:
+    """Reason why a file, trial or variant is skipped while work continues with the others; ``within`` is its place.
 
     Raises
     ------
@@ -226,7 +255,7 @@ def reason(error: Exception) -> str:
     """
     if is_of_system(error):
         raise resource_error(error) from error
-    return unforeseen(error).message()
+    return unforeseen(error).message(within=within)
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, SupportsFloat, get_args
 
 from jounce.core.catalogue import Language, Severity, row_of, sentence
-from jounce.core.errors import JounceError, OutputError
+from jounce.core.errors import Clause, JounceError, OutputError
 from jounce.core.old_names import old_method
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
@@ -181,8 +181,10 @@ def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
 
 def not_drawn(place: str, error: Exception) -> Finding:
     """A problem with drawing a picture or a page; the computed results are not affected."""
-    text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shorten(str(error), 300)}"
-    return finding("core.not_drawn", place, error=text.rstrip("."))
+    if isinstance(error, JounceError):
+        return finding("core.not_drawn", place, error=Clause(error.message()))
+    text = f"{type(error).__name__}: {shorten(str(error), 300)}"
+    return finding("core.not_drawn", place, error=Clause(text))
 
 
 class DrawingError(OutputError):

@@ -52,6 +52,20 @@ def progress_through(template: str, which: int, count: int, /, **fields: Any) ->
     return Stage(template, share=(which - 1) / max(1, count), which=which, count=count, **fields)
 
 
+class Waiting(Phrase):
+    """The current work, ``what``, and how long it has taken."""
+
+    __slots__ = ("what",)
+    what: str
+
+    def __new__(cls, what: str, seconds: float, /) -> Waiting:
+        """Put the time behind the work."""
+        waiting = super().__new__(cls, "{what}, {seconds:.0f} s", what=what, seconds=seconds)
+        assert isinstance(waiting, Waiting)
+        waiting.what = what
+        return waiting
+
+
 LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s: a log shall stay short, a display alive
 LOGGED_LATEST = 30.0
 """Longest interval (s) between log lines: it grows with the duration of the work."""
@@ -118,7 +132,7 @@ class _Teller:
                 if waited < last + every:
                     continue
                 what = wait.what if isinstance(wait.what, str) else wait.what()
-                last, text = waited, f"{what}, {waited:.0f} s"
+                last, text = waited, Waiting(what, waited)
                 if wait.listener:
                     wait.listener(text)
                 else:

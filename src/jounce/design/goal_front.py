@@ -173,7 +173,14 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
     race = _GoalSearch(problem, names)
     tried: list[Array] = []
-    with report_work(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
+    with report_work(
+        lambda: Phrase(
+            "searching design {which} of about {points}: {judged} judged",
+            which=len(tried) + 1,
+            points=points,
+            judged=problem.evaluations,
+        )
+    ):
         settled, span = _search(race, points, tried)
     sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
     goal_rows = np.array([race.goals_at(values) for values in sound])

@@ -509,7 +509,7 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     """
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
     problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
-    with report_work(lambda: f"searching the best design: {problem.evaluations} judged"):
+    with report_work(lambda: Phrase("searching the best design: {judged} judged", judged=problem.evaluations)):
         result = search(problem, starts=starts)
         check_kept(problem, result)
         return outcome(problem, result)

@@ -308,7 +308,12 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
     designs: list[Array] = []
     with report_work(
-        lambda: f"searching design {len(designs) + 1} of {points} of the front: {soft.evaluations} judged"
+        lambda: Phrase(
+            "searching design {which} of {points} of the front: {judged} judged",
+            which=len(designs) + 1,
+            points=points,
+            judged=soft.evaluations,
+        )
     ):
         table, converged = _front(soft, firm, holding, points, designs)
     whole = {

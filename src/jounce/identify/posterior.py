@@ -217,7 +217,7 @@ def update_with_density(
 ) -> UpdatedDensity:
     """Update a model, and return the density of its parameters with its basis."""
     name, doubt = settings.name, settings.doubts
-    progress(f"{name}: update")
+    progress(Phrase("{name}: update", name=name))
     bounds_ = bounds_and_priors(trials[0].rig_without, free, name)[0] if trials else {}
     update, calibration = run_update(trials, free, settings)
     limits = free_parameters(trials[0].rig_without, bounds_, where=name)
@@ -350,15 +350,15 @@ def posterior_with(
     density, basis, update = at.density, at.basis, at.update
     chosen = basis.trials if predict is None else with_datums(predict, settings.channels)[0]
     limits = basis.free
-    progress(f"{name}: the density around the estimate")
+    progress(Phrase("{name}: the density around the estimate", name=name))
     table = fit_log_density(density, density.region, seed)
-    progress(f"{name}: {draws} draws")
+    progress(Phrase("{name}: {draws} draws", name=name, draws=draws))
     units = {item.path: shown_unit_of(basis.trials[0].rig, item.path) for item in limits}
     found = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
     result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
     if not chosen:
         return result
-    progress(f"{name}: what it predicts for {len(chosen)} trials")
+    progress(Phrase("{name}: what it predicts for {count} trials", name=name, count=len(chosen)))
     predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed)
     return replace(
         result, predictions=predictions, findings=(*result.findings, *_missed_predictions(result, predictions))

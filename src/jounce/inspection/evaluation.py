@@ -116,7 +116,7 @@ def evaluate(
     try:
         dataset, clock = uniform_time(record)
     except RecordingError as error:
-        dataset, clock = record, [problem("time", "clock", text=str(error))]
+        dataset, clock = record, [problem("time", "clock", text=error.message())]
     named = checks.check_tester(str(facts.get("tester", "")), tester)
     general = [*notes, *clock, *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]

@@ -25,6 +25,7 @@ from llvmlite import binding as llvm
 
 from jounce.core.errors import JounceError
 from jounce.core.optional import MissingPackageError, require
+from jounce.core.phrases import Phrase
 from jounce.core.sources import digest_of
 from jounce.core.turns import once
 from jounce.core.waiting import report_work
@@ -217,7 +218,7 @@ def bitcode_from_sources(name: str) -> bytes:
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
-    with report_work(f"compiling the loop {name!r} (once on this machine)"), IN_LLVM:
+    with report_work(Phrase("compiling the loop {name!r} (once on this machine)", name=name)), IN_LLVM:
         content = bitcode_of(name)
     write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content

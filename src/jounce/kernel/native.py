@@ -15,6 +15,7 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
+from jounce.core.phrases import Phrase
 from jounce.core.waiting import report_work
 from jounce.kernel.apart import compile_in_child
 from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
@@ -95,8 +96,9 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     if cached is not None:
         with contextlib.suppress(Exception):  # any failure: rebuild
             return _load(cached)
-    once = f"in every process: {why}" if (why := why_not_kept()) else "once on this machine"
-    with report_work(f"compiling the model ({once})"), _without_garbage_collection():
+    why = why_not_kept()
+    once = Phrase("in every process: {why}", why=why) if why else Phrase("once on this machine")
+    with report_work(Phrase("compiling the model ({once})", once=once)), _without_garbage_collection():
         content = compile_in_child(lambda: _compile_entry(make)) or _compile_entry(make)
         keep(key, content)
     return _load(content)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from jounce.core.display import display_unit_for
-from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+from jounce.core.errors import DescriptionError, JounceError, RecordingError, below, unknown
 from jounce.core.files import existing_file, matching_files
 from jounce.core.operation import Switch, Texts, operation
 from jounce.core.phrases import Phrase
@@ -209,7 +209,7 @@ def _check_rig(check: FileCheck) -> None:
         equilibrium(rig)
     except JounceError as error:
         raise DescriptionError(
-            Phrase("it has no equilibrium: {error}", error=str(error)), where=str(check.file)
+            Phrase("it has no equilibrium: {error}", error=error.message()), where=str(check.file)
         ) from None
 
 
@@ -378,7 +378,13 @@ def _check_campaign(check: FileCheck) -> None:
                 else:
                     load_trial(entry, roads, folder, campaign)
             except JounceError as error:
-                raise RecordingError(f"{place}: {error}") from None
+                raise RecordingError(
+                    error.what,
+                    where=below(place, error.where),
+                    found=error.found,
+                    allowed=error.allowed,
+                    hint=error.hint,
+                ) from None
     bench = campaign.bench
     tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
     for name, asked in tables.items():

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.optional import require
+from jounce.core.phrases import Phrase
 from jounce.core.text import slug
 from jounce.core.waiting import progress_through
 from jounce.core.workbooks import CONTROL
@@ -106,7 +107,7 @@ def write_page(
         whole = page if isinstance(page, Page) else page()
         inside, beside, missing = _draw(whole, figures, progress)
         for name, make in _documents(whole, tables, pdf=pdf).items():
-            progress(f"write: {name}")
+            progress(Phrase("write: {name}", name=name))
             try:
                 beside |= make()
             except Exception as error:  # noqa: BLE001 - whatever it is, the page is written

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
+from jounce.core.errors import Clause, DescriptionError, RecordingError, nearest, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
@@ -287,12 +287,12 @@ def ride_metrics(
         by_axis = row.scope not in ("point", "corner")
         parts = [(at, view) for at, view in views[row.scope] if not by_axis or at.rpartition(".")[2] in row.needs]
         if not parts:
-            absent.append(AbsentMetric(row.name, "", f"no channel {' or '.join(row.needs)}"))
+            absent.append(AbsentMetric(row.name, "", Phrase("no channel {needs}", needs=" or ".join(row.needs))))
         for place, view in parts:
             try:
                 values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
             except RecordingError as error:
-                absent.append(AbsentMetric(row.name, place, str(error).removeprefix(f"{place}: ").rstrip(".")))
+                absent.append(AbsentMetric(row.name, place, Clause(error.message(within=place))))
         if metrics is not None and not any(item.metric == row.name for item in values):
             reason = next(item.reason for item in absent if item.metric == row.name)
             raise RecordingError(Phrase("the metric is not available: {reason}", reason=reason), where=row.name)

@@ -141,7 +141,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
             hint = "Give out=, a folder in which results are kept as they come."
             raise DescriptionError("goes with a folder of results", where=name, hint=hint)
     _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
-    with report_work(f"simulating {count:,} variants".replace(",", " ")):
+    with report_work(Phrase("simulating {count} variants", count=f"{count:,}".replace(",", " "))):
         return work.run(columns, threads=threads)
 
 

@@ -202,7 +202,7 @@ def check_cluster(client: Any) -> None:
     try:
         client.wait_for_workers(1, timeout=_JOINING)
     except (TimeoutError, distributed.TimeoutError):
-        hint = Phrase("Start some: dask worker {where} --nworkers auto --nthreads 1", where=where)
+        hint: str = Phrase("Start some: dask worker {where} --nworkers auto --nthreads 1", where=where)
         raise JounceError("no worker has joined the cluster", where=where, hint=hint) from None
     own = _versions()
     try:

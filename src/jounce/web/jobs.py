@@ -75,6 +75,7 @@ class _Progress(BaseModel):
     at: FiniteFloat | None = None
     clock: FiniteFloat | None = None
     said: str = ""
+    said_german: str | None = None
     share: FiniteFloat | None = None
     left: FiniteFloat | None = None
     steps: list[dict[str, Any]] = Field(default_factory=list)
@@ -327,7 +328,7 @@ class Refused(JounceError):
         words = {name: str(error.get(name) or "") for name in ("where", "allowed", "hint")}
         super().__init__(str(error.get("what") or self.text), found=error.get("found"), **words)
 
-    def message(self, *, placed: bool = True) -> Phrase:  # noqa: ARG002 - it is one text
+    def message(self, *, placed: bool = True, within: str = "") -> Phrase:  # noqa: ARG002 - it is one text
         """What was said."""
         return self.text
 

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.locking import hold
+from jounce.core.phrases import german_of
 from jounce.core.serialise import to_json
 
 JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
@@ -84,7 +85,8 @@ class _Told:
             line = self.line
             state: dict[str, Any] = {"at": time.time(), "clock": time.monotonic(), "steps": list(self.steps)}
             if line is not None:
-                state |= {"said": line.waits or line.said, "share": line.share(), "left": line.left()}
+                said = line.waits or line.said
+                state |= {"said": said, "said_german": german_of(said), "share": line.share(), "left": line.left()}
             put(self.file, state)
             self.written = time.monotonic()
 

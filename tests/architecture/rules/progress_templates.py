@@ -72,7 +72,7 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
         return [*_said(value.body, texts), *_said(value.orelse, texts)]
     if isinstance(value, ast.Call) and _called(value) == "format" and isinstance(value.func, ast.Attribute):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.func.value, texts)]
-    if isinstance(value, ast.Call) and _called(value) in ("Stage", "progress_through"):
+    if isinstance(value, ast.Call) and _called(value) in ("Stage", "progress_through", "Phrase"):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.args[0], texts)]
     if isinstance(value, ast.Call) and _called(value) == "replace" and isinstance(value.func, ast.Attribute):
         return _said(value.func.value, texts)

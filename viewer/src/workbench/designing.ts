@@ -1,7 +1,7 @@
 /** Hardpoints from targets: writes a study, searches as a job, and shows the designs found. */
 
 import { make, written } from "../page";
-import { heard, tr } from "../words";
+import { isGerman, tr } from "../words";
 import * as api from "./api";
 import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
@@ -22,6 +22,7 @@ interface Found {
   id: string;
   state: string;
   said: string;
+  said_german: string | null;
   share: number | null;
   left: number | null;
   lasted: number | null;
@@ -153,7 +154,7 @@ export function designing(
       if (found.share === null) bar.removeAttribute("value");
       else bar.value = found.share;
       said.textContent = [
-        tr(heard(found.said)),
+        (isGerman && found.said_german) || tr(found.said),
         `${written(found.lasted ?? 0, 2)} s`,
         found.left ? tr("# s left", written(found.left, 2)) : "",
       ]

@@ -26,6 +26,7 @@ export interface Job {
   ended: number | null;
   lasted: number | null;
   said: string;
+  said_german: string | null;
   share: number | null;
   left: number | null;
   steps: Step[];
@@ -178,7 +179,7 @@ export class JobCard {
     this.said.textContent = tr(
       job.state === "cancelling"
         ? "stopping; finished results are kept"
-        : heard(job.said) || "starting",
+        : (isGerman && job.said_german) || job.said || "starting",
     );
     this.tick();
     if (this.shown === job.state) return;

@@ -19,6 +19,7 @@ from jounce.core.errors import (
     unforeseen,
 )
 from jounce.core.files import existing_file, state_of
+from jounce.core.phrases import Phrase
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
 from jounce.inspection.archive.lane import ImportedRecord, import_record
@@ -147,7 +148,7 @@ class FolderWatch:
             if self._busy == reason:
                 return None
             self._busy = reason
-            return Seen(file, None, f"{error} It is tried again.")
+            return Seen(file, None, Phrase("{error} It is tried again.", error=error.message()))
         self._busy = ""
         self._waiting.pop(path, None)
         return seen
