@@ -96,7 +96,7 @@ class Belt(Description):
 
 @dataclass(frozen=True)
 class TrialOnBelt(Shown):
-    """What was found of one trial's belt and passages.
+    """Belt and passages of one trial.
 
     Attributes
     ----------

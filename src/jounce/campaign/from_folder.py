@@ -178,7 +178,7 @@ class _Maker:
         return [item for item in self.files if item.kind == kind and item.file not in self.left_out]
 
     def _doubted(self, item: RecognisedFile) -> str:
-        """What to say of a file that could be of two kinds: tests that are sure go on without it."""
+        """Code of the finding about a file that could be of two kinds; it is left out where other tests are certain."""
         sure = [other for other in self.files if other.kind == item.kind and not other.doubt]
         if item.kind not in ("spring", "tyre") or not sure:
             return "campaign.file_in_doubt"

@@ -699,7 +699,7 @@ def _conditions(entry: TrialEntry) -> dict[str, Any]:
 
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:
-    """Ratings' notes about the sample rate are the same for all trials: they are said once a channel."""
+    """Name notes of ratings by their channel only: those about the sample rate are the same for all trials."""
     return [at_place(n.place.split(", ")[-1], n) if n.severity == "note" else n for n in notes]
 
 

@@ -1,7 +1,7 @@
 """Hardpoints from targets: the points of a corner, or of several, that give wanted curves.
 
-What a search found is told with what it leaves to know: which targets fight, what each point changes, which points the
-curves tell apart.
+A search also reports what decided its result: which targets conflict, what each point changes, and which points the
+curves determine.
 """
 
 from __future__ import annotations

@@ -157,6 +157,7 @@ def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
     # current steps by 21 % of its range.
     if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
         return None
+    # A knee within twice the regularisation of friction is not told from it.
     knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
     soft, height, knee = min((*fitted(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp)
     return (height, knee) if soft < 0.9 * left else (step, sharp)  # of two that fit alike, friction

@@ -444,9 +444,9 @@ def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array)
 def _not_negative(
     t: Array, signal: Array, values: Array, spread: Uncertainty, quantity: Quantity, free: Sequence[bool]
 ) -> tuple[Array, Uncertainty, Array]:
-    """Fit again with what came out negative (damping, friction, drag) at zero, the clearest first, until nothing is.
+    """Set negative parameters (damping, friction, drag) to zero, the clearest first, and fit the others again.
 
-    What is at zero keeps the doubt of the fit that had it free, and nothing else is known better than there.
+    A parameter at zero keeps the uncertainty of the fit in which it was free; those of the others do not fall below it.
     """
     left = list(free)
     doubt: Array = np.diag(spread.covariance).copy()
@@ -519,7 +519,7 @@ def search_decay(
 def _with_drag(
     t: Array, signal: Array, peaks: Peaks, without: tuple[Array, Uncertainty, Array], quantity: Quantity, drag: Drag
 ) -> tuple[Array, Uncertainty, Array] | None:
-    """Fit quadratic drag as well; None where it is not wanted, or is to be told by the data and they do not show it."""
+    """Fit quadratic drag as well; None where it is not wanted, or where the data are to decide and do not show it."""
     values, _, residual = without
     before = float(np.sqrt(np.mean(residual**2)))
     if drag == "no" or (drag == "auto" and before <= EXACT * float(np.ptp(signal))):
@@ -811,7 +811,7 @@ def fit_decay(
 
 
 def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *, is_alike: bool) -> list[Finding]:
-    """What a record shows of its own defects beside the fit, whose residuals may resemble each other (``is_alike``)."""
+    """Report defects of a record that its fit does not show; ``is_alike`` tells whether residuals are correlated."""
     t, signal, peaks, p, order = part.time, part.signal, part.peaks, result.parameters, order_of(result.quantity)
     findings: list[Finding] = []
     if order < 2 and (lost := lost_samples(t, signal)) > _FEW_LOST:

@@ -309,6 +309,7 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
     places = np.linspace(0.1, 0.9, 81)
     bent = min([left(x**2, x**3)[0], *(left(np.maximum(x - place, 0.0))[0] for place in places)])
     tried = [(*left(np.clip((x - place) / width, 0.0, 1.0)), place) for place in places for width in _SLIDES]
+    # A step must stand out of the noise by three standard deviations, as well as of the range.
     slid, (_, slope, step), place = min(tried, key=lambda one: one[0])
     lost, noise = -float(step), math.sqrt(slid / len(x))
     if slid > _SLIPPED * bent or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise) or slope <= 0.0:

@@ -1,6 +1,6 @@
 """Residuals of a record after a fit, and the fault that they look like: a delay, a scale, a drift.
 
-The values that were fitted make up for such a fault as far as they can, with intervals that know nothing of it.
+The fitted values compensate for such a fault as far as they can, and their intervals do not include it.
 """
 
 from __future__ import annotations

@@ -207,9 +207,9 @@ _Point = tuple[Array, float, Array, float]
 def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tuple[Array, Array]]]:
     """Polynomial through values and slopes, with the trend of what has no slopes.
 
-    The degree is that which predicts best what it has not seen: exact values scatter by tenths where wheels lift off
-    at some values of the parameters and not at others, and a higher degree would follow the scatter to where there is
-    no point. Gives also a function of the trend (n,) and its standard error (n,) at whitened points.
+    Cross-validation chooses the degree: exact values scatter by tenths where wheels lift off at some values of the
+    parameters and not at others, and a higher degree would follow this scatter to places without points. Returns also
+    a function that gives the trend (n,) and its standard error (n,) at whitened points.
     """
     u, values, slopes, more = (np.array(part) for part in zip(*points, strict=True))
     degrees = [d for d in range(2, _HIGHEST + 1) if len(points) >= _points_for(u.shape[1], d)]
@@ -256,7 +256,7 @@ def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
 def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
     """Draw at least ``count`` whitened points (chains, draws, unknowns) by emcee, with the share of accepted steps.
 
-    Four ensembles that know nothing of each other, each of 16 walkers (or four an unknown). Four steps in five propose
+    Four independent ensembles, each of 16 walkers (or four an unknown). Four steps in five propose
     points of a t distribution around the mode whatever the walker's place, which is nearly the density itself, the
     fifth stretches towards another walker [goodman2010].
     """

@@ -3,8 +3,8 @@
 Two things can be counted. *Noise only*: the residuals are noise, autocorrelated and of changing level; the density of
 least squares is turned and stretched so that its curvature gives the covariance that an update reports (the curvature
 adjustment of composite likelihoods [ribatet2012]). *Model error*: all doubts are unknowns with priors, as in
-:mod:`jounce.identify.discrepancy`; those that nobody asks for are integrated out around their best values for each
-value of the parameters (nested Laplace approximation [tierney1986]).
+:mod:`jounce.identify.discrepancy`; nuisance parameters are integrated out around their best values for each
+value of the others (nested Laplace approximation [tierney1986]).
 """
 
 from __future__ import annotations
@@ -461,7 +461,7 @@ def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
 
 
 def _check_names(trials: Sequence[FitTrial], where: str) -> None:
-    """Refuse two trials of one name: what is predicted, and the lag, are told by it."""
+    """Refuse two trials of one name: predictions and lags are reported by it."""
     names = [trial.name for trial in trials]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:

@@ -14,6 +14,8 @@ from jounce.identify.fit_problem import UpdateProblem
 SAME_PLACE = 0.1
 """Share of half the range: searches that end closer together have found the same place."""
 _BOUND = 1.0 - 1e-6  # of half the range: SciPy's search begins strictly inside its bounds
+AT_BOUND = 1.0 - 1e-5
+"""Scaled value from which on a parameter lies at its bound: searches end somewhat nearer to it."""
 _SMALL_GAIN, _PERFECT = 1e-6, 1e-12
 """Share of the objective that another step could still gain, and of the records' energy: less is an optimum.
 
@@ -47,9 +49,8 @@ def search_from_starts(
 ) -> SearchOutcome:
     """Search from ``start`` (scaled) and from Latin-hypercube points within the bounds.
 
-    ``starts`` is their number in all. Without one there are at least `_FEWEST`, and as many as it takes until two have
-    led to the best place, `_MOST` at most; those beside the first go down roughly, and what they find is searched to
-    its end where it may be better.
+    ``starts`` is their total number. By default searches go on until two have led to the best place, at least
+    `_FEWEST` and at most `_MOST` of them. All but the first are coarse; one that may be better is then completed.
     """
     if starts == 1:
         return SearchOutcome(minimise(problem, start, method), (), 1, is_confirmed=True)
@@ -127,7 +128,7 @@ def is_stationary(problem: UpdateProblem, x: Array) -> bool:
     """Whether a Gauss-Newton step within the bounds would lower the objective by less than a millionth."""
     residuals = problem.residuals(x)
     gradient = residuals.jacobian.T @ residuals.vector
-    clamped = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
+    clamped = (np.abs(x) > AT_BOUND) & (gradient * x < 0.0)
     if clamped.all():
         return True
     curvature = residuals.jacobian[:, ~clamped].T @ residuals.jacobian[:, ~clamped]

@@ -586,10 +586,10 @@ _DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
 def _with_law(
     stiffness: Estimate, x: Array, force: Array, at: float, degree: int, motion: MeasuredMotion
 ) -> tuple[Estimate, list[Finding]]:
-    """The tangent at ``at`` (SI) with an interval that counts the choice of the law, and what is told of it.
+    """The tangent at ``at`` (SI) with an interval that counts the choice of the law, and findings about it.
 
-    All trials share what the law lacks, so that their scatter knows nothing of it. Polynomials of one and two more
-    degrees have it, or half of it: the larger distance of their tangents is added to the half width by squares.
+    All trials share the error of the law, so their scatter does not show it. Polynomials of one and two more degrees
+    have less of it: the larger difference of their tangents is added to the half width by squares.
     """
     others = []
     for more in (1, 2):

@@ -28,7 +28,7 @@ from jounce.identify.nuisances import (
     begins_unknown,
     nuisances_of,
 )
-from jounce.identify.search import SAME_PLACE, Optimum, SearchOutcome, search_from_starts
+from jounce.identify.search import AT_BOUND, SAME_PLACE, Optimum, SearchOutcome, search_from_starts
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
 from jounce.identify.suspects import CLEARLY, suspects
@@ -383,7 +383,7 @@ def run_update(
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
     findings += [*swapped, *_unexplained_channels(problem, residuals), *_copies(problem), *_frozen(problem)]
-    at_bound = np.abs(best.scaled) > 1.0 - 1e-5
+    at_bound = np.abs(best.scaled) > AT_BOUND
     findings += disagreeing(problem, residuals, best.scaled, ~at_bound) or unlike(left)
     whole = _whole(problem, best.scaled)
     inside = ~np.pad(at_bound, (0, whole.shape[1] - len(at_bound)))
@@ -467,7 +467,7 @@ def run_update(
 
 
 def _beside(one: SearchedNuisance | SearchedStart, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
-    """A nuisance as it is told: its value, and the interval of what was searched in its unit."""
+    """Estimate of a nuisance as reported: its value, and its interval in its unit."""
     free, found = one.free, float(one.free.value(scaled))
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
     ends = None if error is None else (found - 1.96 * error, found + 1.96 * error)
@@ -656,7 +656,7 @@ def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[
 
 
 def _left_over(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[LeftOver]]:
-    """What is left of each channel that counts, by trial, with the recordings at their lags."""
+    """Residuals of each channel that counts, by trial, with the recordings shifted by their lags."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     left = dict[str, list[LeftOver]]()
     for (trial, channel), block in zip(both, residuals.blocks, strict=True):

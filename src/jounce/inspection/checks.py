@@ -412,7 +412,7 @@ def _means(values: Array, time: Array, length: float) -> Array:
 def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, hops: bool = False) -> list[Finding]:
     """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N).
 
-    It is looked at over a swing of the body; of a wheel that hops, whose body is thrown about, over all of the test.
+    The mean is taken over a swing of the body; for a wheel that hops, whose body is thrown about, over the whole test.
     """
     known = np.isfinite(mean) & (frequency > 6.0)  # Hz: slower turns are few, and swings of the body
     if np.count_nonzero(known) < 12:

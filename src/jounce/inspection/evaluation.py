@@ -132,8 +132,8 @@ def evaluate(
 def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ...]:
     """Give the wheels that were tested: of a record whose order names one wheel, the other one is not.
 
-    The car shakes the other plate a little, sprung ones more; a plate that moves as much as the one that is named
-    counts all the same, so that wrong sides are noticed.
+    The car shakes the other plate a little, a sprung one more. A plate that moves as much as the named one counts as
+    tested, too, so that exchanged sides are noticed.
     """
     sides, order = wheels_of(record), facts.get("wheel_order")
     if order not in sides or len(sides) == 1:

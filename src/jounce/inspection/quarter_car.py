@@ -367,9 +367,9 @@ def _corner(parameters: Array) -> LinearQuarterCar:
 def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float = 0.0) -> float:
     """Delay (s) of the measured force after the height, negative if earlier; 0 if uncertain.
 
-    ``plate_mass`` (kg) is that whose inertia was taken off the force, by the height. The time is found to first order
-    beside all parameters, and believed where it explains about half of what they leave, or where they need a tyre that
-    drives instead of damping: dry friction and dampers with bends are explained by it to a third at most.
+    The inertia of ``plate_mass`` (kg) was subtracted from the force by means of the height. The delay is estimated to
+    first order together with all parameters. It counts where it explains about half of the residual, or where the fit
+    needs negative tyre damping: of residuals of dry friction and of bent damper curves it explains a third at most.
     """
     here = _parameters(fit.corner)
     steps = np.maximum(np.abs(here), _SCALE) * _DELAY_STEP

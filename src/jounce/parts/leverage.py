@@ -104,7 +104,7 @@ def static_load(rig: Corner) -> float:
 def static_spring_force(rig: Corner) -> float:
     """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road.
 
-    Torsion bar, third spring and the gas of dampers carry what they do there.
+    The loads that torsion bar, third spring and gas of dampers carry at design are subtracted.
     """
     return float((static_load(rig) - carried_beside_spring(rig)) / motion_ratio(rig))
 

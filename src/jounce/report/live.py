@@ -119,7 +119,7 @@ class ViewerScene:
 class Viewer:
     """Scenes one of which is shown, with the curves that can be switched: (role, label, shown at first).
 
-    On a ``stage`` the mechanism is what it is about, and large. It is played ``slower`` than in reality at first.
+    On a ``stage`` the mechanism is the subject, and large. It is played ``slower`` than in reality at first.
     """
 
     title: str
@@ -143,7 +143,7 @@ def _fitting(title: str) -> str:
 
 
 def named_words(name: str, words: str) -> str:
-    """A channel's name with what it is, which is said once: ``camber angle``, ``sprung.az, vertical acceleration``.
+    """Channel's name with its quantity, unless they are alike: ``camber angle``, ``sprung.az, vertical acceleration``.
 
     >>> named_words("motion_ratio", "motion ratio: spring over wheel"), named_words("sprung.z", "height")
     ('motion ratio: spring over wheel', 'sprung.z, height')

@@ -409,8 +409,8 @@ class VariantStudy:
     def allows_all(self, own: Mapping[str, Array]) -> bool:
         """Whether the description allows all values of the rig's parameters; False if a check of each is as cheap.
 
-        Conditions on several parameters together (one below another) hold inside if they hold at all corners
-        of what the variants span, so that each is looked at only where these are more, or one is forbidden.
+        Conditions on several parameters (one below another) hold for all variants if they hold at all corners of their
+        ranges. Each variant is checked only where there are more corners than variants, or where a corner is forbidden.
         """
         if not own:  # the unchanged rig
             return True
