@@ -1,4 +1,4 @@
-"""The benchmark problem in space, once for every peer: the prototype's double wishbone over an obstacle.
+"""The 3-D benchmark problem shared by all peers: the prototype's double wishbone over an obstacle.
 
 Numbers come from ``tests/files/prototype``: model, obstacle and converged references for three speeds and both tyres.
 """

@@ -1,4 +1,4 @@
-"""The benchmark problems, once for every peer: the kart-scale quarter car on an obstacle, and on a long linear road."""
+"""The benchmark problems shared by all peers: the kart-scale quarter car on an obstacle, and on a long linear road."""
 
 from __future__ import annotations
 

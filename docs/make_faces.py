@@ -88,7 +88,7 @@ def rig_schema() -> dict[str, Any]:
 
 
 def vehicle_schema() -> dict[str, Any]:
-    """Schema of a vehicle file: any of the models; a corner of a 3-D car may be a name."""
+    """Schema of a vehicle file: any of the models; a name can replace a corner of a 3-D car."""
     schema: dict[str, Any] = TypeAdapter(reduce(or_, VEHICLES.values())).json_schema(by_alias=True)
     _complete_models(schema["$defs"], [*RIGS.values(), *VEHICLES.values()])
     axle = schema["$defs"]["SpatialAxle"]["properties"]
@@ -378,7 +378,7 @@ def _typescript(hint: Any, kinds: list[type]) -> str:
 
 
 def _shown(si: str) -> tuple[str, float]:
-    """Name and factor of the unit in which values of an SI unit are shown."""
+    """Name and conversion factor of the display unit for an SI unit."""
     unit = display_unit(si)
     return unit.name or "–", unit.factor
 
@@ -417,7 +417,7 @@ def _module(line: str) -> str:
 
 
 def _as_ruff_sorts(name: str) -> tuple[bool, str]:
-    """Names in capitals first."""
+    """Sort names in capitals first."""
     return not name.isupper(), name.lower()
 
 

@@ -87,7 +87,7 @@ def text(
     more: tuple[str, str, str] = ("", "", ""),
     quoted: bool = False,
 ) -> str:
-    """A text file; ``more`` is put before the header, behind the header's cells and behind the rows' cells."""
+    """Write a text file; ``more`` adds text before the header, to the header's cells and to the rows' cells."""
 
     def line(cells: list[str]) -> str:
         return separator.join(f'"{cell}"' if quoted else cell for cell in cells)
