@@ -41,4 +41,5 @@ def old_method(old: str, new: str) -> Any:
         warnings.warn(f"{old} is called {new} now", DeprecationWarning, stacklevel=2)
         return getattr(self, new)(*arguments, **options)
 
+    call.__doc__ = f"Call ``{new}``, the current name of this method, with a warning."
     return call
