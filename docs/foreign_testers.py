@@ -168,7 +168,7 @@ class Axle:
     units: tuple[str, str, str] = ("s", "mm", "N")
 
     def record(self, group: str, name: str, about: str = "") -> TesterRecord:
-        """Write it, in its units."""
+        """Write the file, in its units."""
         time, height, force = self.units
         columns = {f"time [{time}]": self.time}
         for side in SIDES:
