@@ -26,7 +26,7 @@ class Finding(Shown):
     severity : {"note", "warning", "problem"}
         ``note``: good to know; ``warning``: weakens a result; ``problem``: a result is missing or not to be trusted.
     message : str
-        One sentence that says what was found and what to do.
+        One sentence that says what was found and what to do; without one, that of the code.
     value : float or None
         The number behind it, SI, where there is one.
     code : str
@@ -41,6 +41,11 @@ class Finding(Shown):
     value: float | None = None
     code: str = field(default="", repr=False, compare=False)
     numbers: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Write the message of a code where none is given."""
+        if self.code and not self.message and row_of(self.code) is not None:
+            object.__setattr__(self, "message", sentence(self.code, self.numbers))
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.place}: {self.message}"

@@ -295,36 +295,18 @@ def _signals(run: xr.Dataset, statics: StaticEquilibrium) -> xr.Dataset:
 
 
 def _findings(case: Case, runs: list[CaseRun]) -> tuple[jn.Finding, ...]:
+    moments = {"demo": DEMO_MOMENT, "estimated": abs(runs[-1].moment)}
+    moments |= {"deceleration": DECELERATION, "height": CENTRE_HEIGHT}
+    ramps = {"speed": SPEED, "ramp": RAMP, "on": ON, "off": OFF}
     findings = [
-        jn.Finding(
-            "pitch moment",
-            "warning",
-            f"the paper never gives M_y: it is run with the demo's step of {DEMO_MOMENT:g} N m and with "
-            f"{abs(runs[-1].moment):.1f} N m (mass × {DECELERATION:g} m/s² × {CENTRE_HEIGHT:g} m, estimated); "
-            "it is kept until the end of the run.",
-        ),
-        jn.Finding(
-            "simulink",
-            "warning",
-            "the demo adds the road height with the wrong sign: an obstacle lowers the body, a pothole raises it; "
-            "only sign-corrected and physical show what a car does.",
-        ),
-        jn.Finding(
-            "physical",
-            "note",
-            f"speed {SPEED:g} m/s and raised-cosine ramps of {RAMP:g} m are estimated; the front axle meets them at "
-            f"{ON:g} s and {OFF:g} s, the rear axle by wheelbase over speed later.",
-        ),
-        jn.Finding(
-            "vehicle",
-            "warning",
-            "the axles have no mass and never leave the road; Table 2's springs equal the defaults of the demo "
-            "(28000 and 21000 N/m), so they are probably not this car's.",
-        ),
+        jn.Finding("pitch moment", "warning", "", None, "papers.moment_not_given", moments),
+        jn.Finding("simulink", "warning", "", None, "papers.road_sign"),
+        jn.Finding("physical", "note", "", None, "papers.ramps_estimated", ramps),
+        jn.Finding("vehicle", "warning", "", None, "papers.axles_without_mass"),
     ]
     for run in runs:
-        if run.least_wheel_force < 0.0:
-            text = f"a wheel's force falls to {run.least_wheel_force:.0f} N: a real wheel would leave the road there."
+        force = run.least_wheel_force
+        if force < 0.0:
             place = f"{case.name}, {run.moment:g} N m, {run.variant}"
-            findings.append(jn.Finding(place, "warning", text, run.least_wheel_force))
+            findings.append(jn.Finding(place, "warning", "", force, "papers.wheel_would_lift", {"force": force}))
     return tuple(findings)

@@ -426,28 +426,13 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
     lifted = [
         run.variant for run in runs if float(run.signals["tyre.force"].isel(time=slice(-1000, None)).min()) <= 0.0
     ]
+    lengths = {"least": length.min, "most": length.max, "mean": length.mean, "fitting": fitting}
+    torques = {"power": power, "most": full.drive.torque.max, "torque": torque}
+    estimated = {"amplitude": amplitude}
     findings = [
-        jn.Finding(
-            "eccentric exciter",
-            "warning",
-            f"its amplitude ({1e3 * amplitude:g} mm) and the plate's mass are estimated; so is the unsprung mass.",
-        ),
-        jn.Finding(
-            "summed",
-            "warning",
-            f"the spring swings between {1e3 * length.min:.1f} and {1e3 * length.max:.1f} mm about "
-            f"{1e3 * length.mean:.1f} mm; the paper's 328.8 mm is longer than the mean, so it is no maximum of "
-            f"compression for any amplitude: it reads as a static value. As least compression it would need "
-            f"{1e3 * fitting:.2f} mm of amplitude.",
-            fitting,
-        ),
-        jn.Finding(
-            "drive",
-            "note",
-            f"the two-mass model takes up {power:.1f} W on average, {full.drive.torque.max:.1f} N m at most; the "
-            f"{torque:.2f} N m of eq. (5) would only speed the exciter up: a drive holds the speed, not the torque.",
-            power,
-        ),
+        jn.Finding("eccentric exciter", "warning", "", None, "papers.exciter_estimated", estimated),
+        jn.Finding("summed", "warning", "", fitting, "papers.spring_length", lengths),
+        jn.Finding("drive", "note", "", power, "papers.drive_torque", torques),
     ]
-    findings += [jn.Finding(variant, "warning", "the wheel leaves the plate in steady motion.") for variant in lifted]
+    findings += [jn.Finding(variant, "warning", "", None, "papers.wheel_lifts") for variant in lifted]
     return tuple(findings)

@@ -628,17 +628,13 @@ def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) 
     findings = []
     for name, lines in rows.items():
         for key, kind in (("bump_travel_utilisation", "bump"), ("rebound_travel_utilisation", "rebound")):
-            over = [3.6 * speed for row, speed in zip(lines, speeds, strict=True) if row[key] > 1.0]
+            over = [speed for row, speed in zip(lines, speeds, strict=True) if row[key] > 1.0]
             if over:
                 worst = max(row[key] for row in lines)
-                text = (
-                    f"the {kind} travel is used up from {over[0]:.0f} km/h on (up to {100 * worst:.0f} %): the real "
-                    "vehicle would hit its stop, which this model does not have."
-                )
-                findings.append(jn.Finding(name, "warning", text, worst))
+                numbers = {"kind": kind, "speed": over[0], "worst": worst}
+                findings.append(jn.Finding(name, "warning", "", worst, "papers.travel_used_up", numbers))
         beyond = max(row["beyond_record"] for row in lines)
         if beyond > 0.0:
-            share = f"{100 * beyond:.1f} % of the time"
-            text = f"the damper moves faster than in its record for up to {share}: there the law is extrapolated."
-            findings.append(jn.Finding(name, "warning" if beyond > _OFTEN else "note", text, beyond))
+            severity: Literal["warning", "note"] = "warning" if beyond > _OFTEN else "note"
+            findings.append(jn.Finding(name, severity, "", beyond, "papers.beyond_record", {"share": beyond}))
     return findings
