@@ -115,12 +115,15 @@ from .inspection.archive.questions import find_inspections as find_inspections
 from .inspection.archive.questions import read_inspection_history as read_inspection_history
 from .inspection.archive.questions import reevaluate_inspections as reevaluate_inspections
 from .inspection.archive.questions import verify_inspections as verify_inspections
+from .inspection.archive.storing import import_inspections as import_inspections
+from .inspection.archive.storing import watch_inspections as watch_inspections
 from .inspection.equivalence import compare_tests as compare_tests
 from .inspection.equivalence import study_equivalence as study_equivalence
 from .inspection.evaluation import evaluate as evaluate
 from .inspection.grading import grade as grade
 from .inspection.limits import load_limits as load_limits
 from .inspection.record import read_record as read_record
+from .inspection.rig_inspection import inspect_rig as inspect_rig
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
 from .kinematics import AxleLayout as AxleLayout
@@ -150,6 +153,7 @@ from .kinematics.clearance_study import study_clearances as study_clearances
 from .kinematics.steering_loads import sweep_steering_effort as sweep_steering_effort
 from .kinematics.swept import sweep_kinematics as sweep_kinematics
 from .operations.checks import check_files as check_files
+from .operations.library import shipped_files as shipped_files
 from .papers.audi_a6 import run_audi_a6 as run_audi_a6
 from .papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
 from .papers.virtual_bench import virtual_bench as virtual_bench
@@ -164,6 +168,10 @@ from .parts import Vehicle as Vehicle
 from .parts import load as load
 from .parts import save as save
 from .parts.importers import ChronoCorner as ChronoCorner
+from .parts.importers import import_adams as import_adams
+from .parts.importers import import_chrono as import_chrono
+from .parts.importers import import_hardpoints as import_hardpoints
+from .parts.importers import import_mjcf as import_mjcf
 from .parts.importers import read_chrono_corner as read_chrono_corner
 from .parts.importers import read_tir as read_tir
 from .parts.importers import tyre_from_tir as tyre_from_tir
@@ -181,6 +189,7 @@ from .recordings.carried import recording as recording
 from .recordings.options import RecordFile as RecordFile
 from .report.animation import animate as animate
 from .report.campaign_folder import report_campaign as report_campaign
+from .report.inspected import evaluate_inspection as evaluate_inspection
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.drives import compare_controllers as compare_controllers

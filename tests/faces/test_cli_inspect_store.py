@@ -57,24 +57,17 @@ def lane(simulated: Path, tmp_path: Path) -> Path:
     return folder
 
 
-def test_import_counts_the_warnings_of_a_record(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    from io import StringIO
-
-    from rich.console import Console
-
-    from jounce.cli import inspection
+def test_import_counts_the_warnings_of_a_record() -> None:
     from jounce.inspection.archive.lane import ImportedRecord
+    from jounce.inspection.archive.storing import ImportedRecords
+    from jounce.report.stores import imported_records_page
 
-    kept = [ImportedRecord("a.csv", 1, True, "pass"), ImportedRecord("b.csv", 2, True, "fail", "", 2)]
-    for one in kept:
-        inspection._say_kept(one, as_json=False)
-    assert capsys.readouterr().out.splitlines() == ["accepted 1 a.csv: pass", "accepted 2 b.csv: fail, 2 warnings"]
-    out = StringIO()
-    inspection._draw_import(Console(file=out, width=200), kept, {})
-    inspection._draw_import(Console(file=out, width=200), kept[:1], {})
-    assert out.getvalue().count("column findings") == 1
+    kept = (ImportedRecord("a.csv", 1, True, "pass"), ImportedRecord("b.csv", 2, True, "fail", "", 2))
+    assert list(map(str, kept)) == ["accepted 1 a.csv: pass", "accepted 2 b.csv: fail, 2 warnings"]
+    pages = [
+        imported_records_page(ImportedRecords("lane.sqlite", records, {}), title="") for records in (kept, kept[:1])
+    ]
+    assert str(pages).count("column findings") == 1
 
 
 def files_of(lane: Path) -> list[Path]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Callable, Mapping
 from keyword import iskeyword
 from pathlib import Path
@@ -10,10 +11,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, shipped, warn_of
+from jounce.cli.options import AsJson, Force, shipped, warn, warn_of
 from jounce.cli.outputs import OUTPUTS, Answered, Files
 from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_written, tell
 from jounce.core.operation import Count, File, Pairs, Switch
+from jounce.core.text import visible
 from jounce.operations.index import Operation, Parameter, operations, resolve
 from jounce.operations.request import Request
 
@@ -40,7 +42,7 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
     def command(**given: Any) -> Reply:
         return answer(operation, given)
 
-    own = [_parameter(parameter) for parameter in operation.parameters]
+    own = [_parameter(parameter) for parameter in operation.options]
     offers = [offer for offer in operation.offers if offer not in _own(operation)]
     files = [(OUTPUTS[offer].option, OUTPUTS[offer].kind, _default(operation, offer)) for offer in offers]
     force = [("force", Force, False)] if files else []
@@ -49,7 +51,7 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
     required_first = sorted(own, key=lambda parameter: parameter.default is not inspect.Parameter.empty)
     command.__signature__ = inspect.Signature(required_first)  # type: ignore[attr-defined]
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in own}
-    command.__doc__ = f"{operation.summary}\n\nExample: {operation.example}"
+    command.__doc__ = "\n\n".join(filter(None, (operation.summary, operation.note, f"Example: {operation.example}")))
     return command
 
 
@@ -108,8 +110,9 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
             if hasattr(value, "parameters"):
                 warn_of(value, next(str(typed[p.option]) for p in operation.parameters if p.made == name))
         say(operation.doing)
-        result = request.call(values, made, say)
-    title = operation.title.format(**_stems(operation, typed), result=result)
+        result = request.call(values, made, say, _shower(given["as_json"]))
+    named = {OUTPUTS[offer].option: file for offer, file in asked.items()} | _stems(operation, typed)
+    title = operation.title.format(**named, result=result)
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
     subject = str(typed.get(operation.subject, ""))
     answered = Answered(operation, subject, result, plain, title, operation.comment.format(**typed, result=result))
@@ -119,17 +122,36 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         if hint := getattr(result, "when_interrupted", ""):
             error.add_note(hint)
         raise
-    written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
+    names = ("out", "figure", "report", *(OUTPUTS[offer].name for offer in operation.offers))
+    written = {name: plain[name] for name in names if name in plain}
     if not operation.names_files:
         plain = {name: value for name, value in plain.items() if name not in written}
 
     def draw(console: Console) -> None:
         from jounce.cli.terminal import show_page
 
+        text = getattr(result, "printed", "")
+        if text and not any(written.values()):
+            sys.stdout.write(text)
+            warn(plain.get("findings", ()))
+            return
         show_page(console, answered.summary())
         show_written(console, {**written, "out": _with_page(written.get("out"))})
 
     return Reply(plain, draw, given["as_json"], _exit_code(result), missing)
+
+
+def _shower(as_json: bool) -> Callable[[object], None]:
+    """Show each part of a result at once: on stdout, unless JSON follows; a text that says what is wrong on stderr."""
+
+    def show(part: object) -> None:
+        if isinstance(part, str):
+            tell(part)
+        elif not as_json:
+            sys.stdout.write(visible(f"{part}\n"))
+            sys.stdout.flush()
+
+    return show
 
 
 def _with_page(out: str | None) -> str | None:
@@ -163,7 +185,7 @@ def _exit_code(result: Any) -> int:
     wrong = [f"{stopped}."] if stopped else getattr(result, "problems", ())
     for problem in wrong:
         tell(problem)
-    if wrong:
+    if wrong or not getattr(result, "is_whole", True):
         return REFUSED
     if remark:
         tell(remark)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -244,7 +244,12 @@ def warn_of(rig: Rig, name: str) -> None:
     """Warn on stderr of implausible values of a rig; notes are left to ``jounce check``."""
     from jounce.parts import rig_findings
 
-    for found in rig_findings(rig, name):
+    warn(rig_findings(rig, name))
+
+
+def warn(findings: Iterable[Finding]) -> None:
+    """Print findings on stderr, but for notes."""
+    for found in findings:
         if found.severity != "note":
             tell(str(found), program="")
 

@@ -77,6 +77,12 @@ class OutputKind:
     kind: Any
     check: Callable[[Path, bool], object]
     write: Callable[[Answered, Path, bool], Missing]
+    key: str = ""  # of the file in the answer, where it is not the option
+
+    @property
+    def name(self) -> str:
+        """Key of the file in the answer."""
+        return self.key or self.option
 
 
 def _out(text: str, metavar: str | None = None) -> Any:
@@ -105,10 +111,25 @@ def _rig_text(answered: Answered, file: Path, force: bool) -> Missing:
     return ()
 
 
+def _imported_rig(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.core.writing import write_atomically
+
+    write_atomically(file, answered.result.text, force=force)
+    answered.plain.update(answered.result.to_dict(str(file)))
+    return ()
+
+
 def _recording(answered: Answered, file: Path, force: bool) -> Missing:
     from jounce.recordings import write_recording
 
     write_recording(answered.result.recording(), file, force=force)
+    return ()
+
+
+def _test_record(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.testers.testing import write_test
+
+    write_test(answered.result.record, file, force=force)
     return ()
 
 
@@ -189,11 +210,24 @@ OUTPUTS: Mapping[str, OutputKind] = {
         lambda file, force: check_outputs(rig=file, force=force),
         _rig_text,
     ),
+    "imported_rig": OutputKind(
+        "out",
+        _out("Rig file to write; stdout by default."),
+        lambda file, force: check_outputs(rig=file, force=force),
+        _imported_rig,
+    ),
     "recording": OutputKind(
         "out",
         _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet or .xlsx."),
         lambda file, force: check_outputs(recording=file, force=force),
         _recording,
+    ),
+    "test_record": OutputKind(
+        "out",
+        _out("Write the record: RECORD.csv or RECORD.nc."),
+        lambda file, force: check_outputs(recording=file, force=force),
+        _test_record,
+        "record",
     ),
     "numbers": OutputKind("out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers),
     "sweep": OutputKind("out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep),
@@ -239,6 +273,6 @@ class Files:
         for offer, file in self.asked.items():
             force = self.force or offer in self.own
             lost = () if file is None else OUTPUTS[offer].write(answered, Path(file), force)
-            answered.plain[OUTPUTS[offer].option] = None if file is None or lost else str(file)
+            answered.plain[OUTPUTS[offer].name] = None if file is None or lost else str(file)
             missing += lost
         return missing

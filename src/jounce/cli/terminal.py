@@ -21,7 +21,8 @@ STYLES = {"plain": "", "muted": "dim", "good": "green", "fair": "yellow", "bad":
 
 def show_page(out: Console, page: Page) -> None:
     """Print a page."""
-    out.print(page.title if not page.subtitle else f"{page.title}: {page.subtitle}", style="bold")
+    if heading := ": ".join(filter(None, (page.title, page.subtitle))):
+        out.print(heading, style="bold")
     for section in page.sections:
         if not section.is_drawn:
             _show_blocks(out, section.blocks)

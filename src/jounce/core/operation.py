@@ -16,7 +16,19 @@ from importlib import import_module
 from typing import Any, ClassVar, Literal, TypeVar
 
 Offer = Literal[
-    "rig", "changed_rig", "rig_text", "recording", "numbers", "sweep", "table", "figure", "figures", "folder", "report"
+    "rig",
+    "changed_rig",
+    "rig_text",
+    "imported_rig",
+    "recording",
+    "test_record",
+    "numbers",
+    "sweep",
+    "table",
+    "figure",
+    "figures",
+    "folder",
+    "report",
 ]
 """What a result can be written as: see `jounce.cli.outputs`."""
 
@@ -171,6 +183,23 @@ class Columns(Pairs):
 
 
 @dataclass(frozen=True)
+class Names(Pairs):
+    """Names of another program, each with the name that it has here: repeated ``THEIRS=OURS``."""
+
+    def read(self, given: Any, where: str) -> dict[str, str]:
+        """Split the pairs at their last equals sign."""
+        return dict(given if isinstance(given, Mapping) else (self._pair(text, where) for text in given))
+
+    def _pair(self, text: str, where: str) -> tuple[str, str]:
+        from jounce.core.errors import DescriptionError
+
+        theirs, equals, ours = (part.strip() for part in text.rpartition("="))
+        if not (theirs and equals and ours):
+            raise DescriptionError("not two names", where=where, found=text, allowed="THEIRS=OURS")
+        return theirs, ours
+
+
+@dataclass(frozen=True)
 class Ranges(Pairs):
     """Pairs of a name and ``LOW..HIGH UNIT``, or any other value that the function takes."""
 
@@ -211,7 +240,7 @@ class Band(Mark):
         return tuple(quantity(str(end), self.unit, where) for end in pair)
 
 
-_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Described, Columns, Ranges, Settings, Band)
+_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Described, Columns, Names, Ranges, Settings, Band)
 MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 
@@ -253,6 +282,7 @@ class Registration:
     comment: str = ""
     doing: str = "computing"
     example: str = ""
+    note: str = ""
 
 
 REGISTERED: dict[str, Registration] = {}
@@ -278,14 +308,17 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         shows, where this is less. ``figure``: ``module:function`` that draws it, where this is not the figure of its
         type. ``title``, ``comment``: head of the page and first line of a rig file, with options and ``result`` in
         braces. ``doing``: what is shown while it runs.
-        ``example``: a command line.
+        ``example``: a command line. ``note``: what the help of the command says below its first line.
 
     Notes
     -----
-    A parameter ``progress`` is no option: faces pass a function that shows a text. The result has ``to_dict``. Where
-    it is not whole, ``stopped`` says why, and ``problems`` what is wrong, one by one (exit code 2); ``remark`` is what
-    else to say on stderr; where it is not what was wanted, ``is_met`` is false (exit code 1). ``missing`` are findings
-    about what could not be drawn. ``when_interrupted`` is what to say where writing it is interrupted.
+    A parameter ``progress`` is no option: faces pass a function that shows a text. Nor is ``each``: it shows a part
+    of the result as soon as that is done, or a text that says what is wrong with it. The result has ``to_dict``.
+    Where it is not whole, ``stopped`` says why, and ``problems`` what is wrong, one by one (exit code 2); where
+    that was shown already, ``is_whole`` is false. ``remark`` is what else to say on stderr; where it is not what
+    was wanted, ``is_met`` is false (exit code 1). ``missing`` are findings about what could not be drawn.
+    ``when_interrupted`` is what to say where writing it is interrupted. ``printed`` is text that a terminal gets in
+    place of the page where no file is written; warnings among the findings go to stderr.
     What it can be written as asks for more: ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``.
     """
 

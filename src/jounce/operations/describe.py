@@ -33,6 +33,7 @@ MODULES = (
     "jounce.campaign.new",
     "jounce.operations.papers",
     "jounce.operations.checks",
+    "jounce.operations.library",
     "jounce.campaign.bench_fits",
     "jounce.campaign.model_choice",
     "jounce.campaign.posterior",
@@ -51,6 +52,13 @@ MODULES = (
     "jounce.exchange.mjcf",
     "jounce.exchange.roads",
     "jounce.identify.calibration",
+    "jounce.parts.importers.chrono",
+    "jounce.parts.importers.adams",
+    "jounce.parts.importers.hardpoints",
+    "jounce.parts.importers.mjcf",
+    "jounce.inspection.rig_inspection",
+    "jounce.report.inspected",
+    "jounce.inspection.archive.storing",
     "jounce.inspection.archive.questions",
     "jounce.inspection.equivalence",
     "jounce.kinematics.swept",
@@ -65,8 +73,8 @@ MODULES = (
     "jounce.variants.sweeping",
 )
 """Modules whose functions are operations, in the order of their commands in the help."""
-PROGRESS = "progress"
-"""Parameter that takes a function which shows a text."""
+PROGRESS, EACH = "progress", "each"
+"""Parameters that take functions: one shows a text, the other a part of the result."""
 
 
 def described() -> list[dict[str, Any]]:
@@ -89,7 +97,8 @@ def _operation(registration: Registration) -> Operation:
         (*arguments, *parameters[registration.arguments :]),
         makers,
         PROGRESS in inspect.signature(function).parameters,
-        **{field.name: getattr(registration, field.name) for field in fields(Operation)[6:]},
+        **{field.name: getattr(registration, field.name) for field in fields(Operation)[6:-1]},
+        has_each=EACH in inspect.signature(function).parameters,
     )
 
 
@@ -99,7 +108,7 @@ def _parameters(function: Callable[..., Any], registration: Registration, made: 
     hints = _hints(function)
     for name, parameter in inspect.signature(function).parameters.items():
         mark = marks[name]
-        if name in (PROGRESS, *registration.python_only):
+        if name in (PROGRESS, EACH, *registration.python_only):
             continue
         if isinstance(mark, MadeBy):
             maker = resolve(mark.maker)

@@ -58,7 +58,8 @@ class Parameter:
     @property
     def place(self) -> str:
         """Name of the value in messages: its option, or what stands for it in the help where it has none."""
-        return (self.mark.metavar or self.option.upper()) if self.is_positional else self.flag
+        word = self.mark.metavar.removesuffix("...") or self.option.upper()
+        return word if self.is_positional else self.flag
 
 
 @dataclass(frozen=True)
@@ -77,8 +78,12 @@ class Operation:
         Parameter of the function to what makes it of options.
     has_progress : bool
         Whether the function takes ``progress``, which shows a text while it runs.
-    command, echo, offers, required, names_files, check, python, page, terminal, figure, title, comment, doing, example
+    has_each : bool
+        Whether it takes ``each``, which shows each part of the result as soon as it is done.
+    command, echo, offers, required, names_files, check, python, page, terminal, figure
         As :func:`jounce.core.operation.operation` takes them.
+    title, comment, doing, example, note
+        Texts, as it takes them.
     """
 
     command: str
@@ -100,6 +105,14 @@ class Operation:
     comment: str
     doing: str
     example: str
+    note: str = ""
+    has_each: bool = False
+
+    @property
+    def options(self) -> tuple[Parameter, ...]:
+        """Parameters whose option no earlier one has: several makers may take the same option."""
+        first = {parameter.option: parameter for parameter in reversed(self.parameters)}
+        return tuple(parameter for parameter in self.parameters if first[parameter.option] is parameter)
 
     @property
     def subject(self) -> str:

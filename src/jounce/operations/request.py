@@ -50,22 +50,33 @@ class Request:
 
     def make(self, values: Values) -> dict[str, Any]:
         """Build the parameters that consist of several options from the converted values."""
-        return {
-            name: _made(resolve(makes.maker), [(p, value) for p, value in values if p.made == name])
-            for name, makes in self.operation.makers.items()
-        }
+        made = {}
+        for name, makes in self.operation.makers.items():
+            with naming_options([parameter for parameter in self.operation.parameters if parameter.made == name]):
+                options = {parameter.name: value for parameter, value in values if parameter.made == name}
+                made[name] = resolve(makes.maker)(**options)
+        return made
 
-    def call(self, values: Values, made: Mapping[str, Any], say: Callable[[str], None] = lambda _: None) -> Any:
-        """Call the function with the converted values; ``say`` shows a text while it runs."""
+    def call(
+        self,
+        values: Values,
+        made: Mapping[str, Any],
+        say: Callable[[str], None] = lambda _: None,
+        show: Callable[[object], None] = lambda _: None,
+    ) -> Any:
+        """Call the function with the converted values; ``say`` shows a text while it runs, ``show`` what is done."""
         arguments = {**made, **{parameter.name: value for parameter, value in values if not parameter.made}}
-        progress = {"progress": say} if self.operation.has_progress else {}
+        given = {"progress": say} if self.operation.has_progress else {}
+        given |= {"each": show} if self.operation.has_each else {}
         with naming_options(self.operation.parameters):
-            return resolve(self.operation.function)(**arguments, **progress)
+            return resolve(self.operation.function)(**arguments, **given)
 
     def words(self) -> list[str]:
         """Write the request as words of a command; an equals sign keeps each value with its option."""
         words = self.operation.command.split()
         for parameter, value in self.values():
+            if parameter not in self.operation.options:
+                continue
             if parameter.is_positional:
                 words += parameter.mark.texts(value)
             elif value is True:
@@ -102,12 +113,6 @@ def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:
         return repr(maker(**options))
     fields = ", ".join(f"{name}={value!r}" for name, value in options.items())
     return f"jn.{maker.__name__}({fields})"
-
-
-def _made(maker: Callable[..., Any], options: Values) -> Any:
-    """Call a maker."""
-    with naming_options([parameter for parameter, _ in options]):
-        return maker(**{parameter.name: value for parameter, value in options})
 
 
 @contextmanager

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from jounce.exchange.mjcf import MjcfExport
     from jounce.exchange.points import HardpointExport
     from jounce.exchange.roads import RoadExport
+    from jounce.parts.importers.drafts import ImportedRig
 
 
 def fmu_page(found: FmuExport, *, title: str) -> Page:
@@ -60,6 +61,13 @@ def road_export_page(found: RoadExport, *, title: str) -> Page:
     """Say how many points of a road were written."""
     text = Paragraph(f"{found.points} points over {found.length:g} m")
     return _page(title, "Road", [text], found.findings)
+
+
+def imported_rig_page(found: ImportedRig, *, title: str) -> Page:
+    """Say what a file of another program was read as, and what had to be estimated."""
+    what = f"{getattr(found.rig, 'model', '')}, {found.rig.source}"
+    estimated = f"estimated: {', '.join(found.rig.estimated) or 'nothing'}"
+    return _page(title, what, [Paragraph(estimated)], found.advice())
 
 
 def _page(title: str, what: str, blocks: Sequence[Block], findings: Sequence[Finding] = ()) -> Page:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from jounce.inspection.grading import GradedInspection, VehicleGrade
     from jounce.inspection.result import WheelResult
+    from jounce.inspection.rig_inspection import InspectedRig
 
 TONES: dict[str, Tone] = {"pass": "good", "advise": "fair", "fail": "bad"}
 """What the verdicts mean."""
@@ -105,6 +106,16 @@ def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: st
     header = ("wear", *(one.label() for one in shown), "verdict")
     table = PageTable("Over damper wear", header, rows, "r" * (len(shown) + 1) + "l")
     return Page(title, (Section("Answer", (table,)),))
+
+
+def inspected_rig_page(found: InspectedRig, *, title: str) -> Page:
+    """Put the simulated test of a rig on a page: one wheel, one over wear, or both wheels of an axle."""
+    from jounce.inspection.grading import grade_vehicle
+
+    if found.axle is not None:
+        return inspection_page(grade_vehicle([found.axle]), title=title)
+    wheels = [test.wheel for test in found.tests]
+    return wear_page(found.wear, wheels, title=title) if found.is_range else wheel_page(wheels[0], title=title)
 
 
 def _verdict(label: str, verdict: str) -> Facts:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         VehicleHistory,
         VerifiedStore,
     )
+    from jounce.inspection.archive.storing import ImportedRecords
 
 
 def vehicle_history_page(found: VehicleHistory, *, title: str) -> Page:
@@ -54,6 +55,19 @@ def reevaluated_store_page(found: ReevaluatedStore, *, title: str) -> Page:
     problems = [f"problem: record {number}: {problem}" for number, problem in result.failed.items()]
     lists = [Bullets(tuple(lines)) for lines in (changes, problems) if lines]
     return _page(title, "Evaluated again", [text, *lists])
+
+
+def imported_records_page(found: ImportedRecords, *, title: str) -> Page:
+    """Count the records that were put into a store."""
+    new = [record for record in found.records if record.is_new]
+    ungraded = sum(bool(record.problem) for record in new)
+    parts = [f"{len(new)} new", f"{len(found.records) - len(new)} already known"]
+    parts += [f"{ungraded} of the new records cannot be graded"] if ungraded else []
+    parts += [f"{len(found.failed)} not readable"] if found.failed else []
+    blocks = [Paragraph(", ".join(parts))]
+    if any(record.warnings for record in found.records):
+        blocks.append(Paragraph("what the warnings are: column findings of inspect export"))
+    return Page(title, (Section("Import", tuple(blocks)),))
 
 
 def _page(title: str, what: str, blocks: Sequence[Block]) -> Page:

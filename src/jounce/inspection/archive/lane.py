@@ -12,13 +12,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.description import toml_table
-from jounce.core.errors import JounceError, OutputError, RecordingError, ResourceError, is_of_system, resource_error
+from jounce.core.errors import (
+    JounceError,
+    OutputError,
+    RecordingError,
+    ResourceError,
+    is_of_system,
+    resource_error,
+    unknown,
+)
 from jounce.core.files import content_of
 from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.methods import METHODS
 from jounce.inspection.record import SIDES, TEXTS, day_of, read_record
 from jounce.inspection.result import NOT_GRADED
 from jounce.parts.testers import Tester, library, load_tester
@@ -45,6 +54,14 @@ class InspectedRecord:
     def facts(self) -> dict[str, str]:
         """Texts of the record's header."""
         return {name: value for name, value in self.graded.inspection.facts.items() if isinstance(value, str)}
+
+
+def check_methods(methods: Sequence[str] | None) -> list[str] | None:
+    """Refuse unknown methods; give each once, and None where there are none."""
+    for method in methods or ():
+        if method not in METHODS:
+            raise unknown(method, METHODS, what="method", where="methods")
+    return list(dict.fromkeys(methods or ())) or None
 
 
 def inspect_record(
@@ -188,6 +205,12 @@ class ImportedRecord:
     verdict: str  # of the axle; ``"not graded"`` where the record does not allow it
     problem: str = ""  # why it could not be graded; empty where it could
     warnings: int = 0  # findings that weaken its values, of the record and of its wheels
+
+    def __str__(self) -> str:
+        word = "accepted" if self.is_new else "known"
+        reason = f" ({self.problem})" if self.problem else ""
+        warned = f", {self.warnings} warning{'s' * (self.warnings > 1)}" if self.warnings else ""
+        return f"{word} {self.number} {self.file}: {self.verdict}{reason}{warned}"
 
 
 def import_record(

@@ -7,23 +7,30 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PureWindowsPath
-from typing import Any, cast
+from typing import Annotated, Any, cast
 from xml.etree import ElementTree as ET
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of
-from jounce.core.findings import Finding, finding
+from jounce.core.findings import finding
 from jounce.core.markup import parse_xml
+from jounce.core.operation import File, Switch, operation
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
 from jounce.parts.importers.drafts import (
+    CARRIED_MASS,
+    NAMES_IN_FILE,
     SPRUNG_MASS,
+    TYRE_RADIUS,
     WHEEL_RADIUS,
     Draft,
+    ImportedRig,
+    TyreStiffness,
+    WheelMass,
     add_wheel,
     as_table,
     join_bodies,
@@ -67,18 +74,29 @@ _POINT = re.compile(r"(?i)x,\s*y,\s*z\s+location\s*=\s*(.+)")
 _VECTOR = re.compile(r"(?i)([zx])p\s+vector\s*=\s*(.+)")
 
 
+@operation(
+    "import adams",
+    named={"path": "file", "names": "name"},
+    echo={"file": "file"},
+    offers=("imported_rig",),
+    page="jounce.report.exchange:imported_rig_page",
+    title="{out}",
+    doing="reading the file",
+    example="jounce import adams database.cdb/subsystems.tbl/front.sub --out rig.toml",
+    python_only=("source",),
+)
 def import_adams(
-    path: Path | str,
+    path: Annotated[Path | str, File("Suspension subsystem of Adams Car, as text.", "FILE.sub")],
     *,
-    names: Mapping[str, str] | None = None,
-    wheel_radius: float | None = None,
-    wheel_mass: float | None = None,
-    tyre_stiffness: float | None = None,
-    sprung_mass: float | None = None,
-    rigid: bool = False,
+    names: Annotated[Mapping[str, str] | None, NAMES_IN_FILE] = None,
+    wheel_radius: Annotated[float | None, TYRE_RADIUS] = None,
+    wheel_mass: WheelMass = None,
+    tyre_stiffness: TyreStiffness = None,
+    sprung_mass: Annotated[float | None, CARRIED_MASS] = None,
+    rigid: Annotated[bool, Switch("Leave the bushings out: the joints are ideal.")] = False,
     source: str | None = None,
-) -> tuple[Corner, list[Finding], str]:
-    """Read a suspension subsystem of Adams Car as the left corner of a 3-D rig.
+) -> ImportedRig:
+    """Convert a suspension subsystem of Adams Car, with its property files, to the left corner of a 3-D rig.
 
     Hardpoints, parts with mass, and camber and toe are in the ``.sub``; springs, dampers, stops and bushings in
     property files of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``, ``bushings.tbl``), which are
@@ -142,7 +160,8 @@ def import_adams(
         *(f"{item.place.removeprefix(str(file.path))}: {item.message}".removeprefix(": ") for item in draft.findings),
     ]
     text = rig_text(rig_of(draft, table), comments)
-    return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), draft.findings, text
+    rig = cast(Corner, rig_from_table(tomllib.loads(text), where=str(path)))
+    return ImportedRig(rig, draft.findings, text)
 
 
 @dataclass

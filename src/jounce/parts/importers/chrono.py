@@ -5,18 +5,32 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any, cast
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding, finding
+from jounce.core.findings import finding
+from jounce.core.operation import File, operation
 from jounce.core.types import Array
 from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table, rig_text
 from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, ascending, damper_map
-from jounce.parts.importers.drafts import Draft, add_wheel, as_table, join_bodies, rig_of, set_on_the_road, tensor_of
+from jounce.parts.importers.drafts import (
+    CARRIED_MASS,
+    TYRE_RADIUS,
+    Draft,
+    ImportedRig,
+    TyreStiffness,
+    WheelMass,
+    add_wheel,
+    as_table,
+    join_bodies,
+    rig_of,
+    set_on_the_road,
+    tensor_of,
+)
 
 DESIGN = np.eye(3)
 
@@ -256,16 +270,27 @@ _ADVICE = "Other suspensions can be written as rig files by hand; see the docume
 _READ = {"Name", "Type", "Template", "Vehicle-Frame Inertia", "Camber Angle (deg)", "Toe Angle (deg)", "Axle"}
 
 
+@operation(
+    "import chrono",
+    named={"path": "file"},
+    echo={"file": "file"},
+    offers=("imported_rig",),
+    page="jounce.report.exchange:imported_rig_page",
+    title="{out}",
+    doing="reading the file",
+    example='jounce import chrono suspension.json --out rig.toml --wheel-radius "344 mm"',
+    python_only=("source",),
+)
 def import_chrono(
-    path: Path | str,
+    path: Annotated[Path | str, File("DoubleWishbone, MacPhersonStrut or MultiLink.", "FILE.json")],
     *,
-    wheel_radius: float | None = None,
-    wheel_mass: float | None = None,
-    tyre_stiffness: float | None = None,
-    sprung_mass: float | None = None,
+    wheel_radius: Annotated[float | None, TYRE_RADIUS] = None,
+    wheel_mass: WheelMass = None,
+    tyre_stiffness: TyreStiffness = None,
+    sprung_mass: Annotated[float | None, CARRIED_MASS] = None,
     source: str | None = None,
-) -> tuple[Corner, list[Finding], str]:
-    """Read a suspension file of Project Chrono as the left corner of a 3-D rig.
+) -> ImportedRig:
+    """Convert a Project Chrono suspension to the left corner of a 3-D rig.
 
     Chrono places a suspension relative to its axle; here the road becomes z = 0, and the wheel centre is above it
     by the tyre's radius less its deflection under the corner's weight.
@@ -326,7 +351,8 @@ def import_chrono(
         *(f"{item.place.removeprefix(place)}: {item.message}" for item in reading.findings),
     ]
     text = rig_text(rig_of(reading, table), comments)
-    return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), reading.findings, text
+    rig = cast(Corner, rig_from_table(tomllib.loads(text), where=str(path)))
+    return ImportedRig(rig, reading.findings, text)
 
 
 def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:

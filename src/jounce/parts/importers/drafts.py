@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
+from jounce.core.operation import Names, Number
+from jounce.core.typed import LONGEST
 from jounce.core.types import Array
+from jounce.parts.advice import rig_findings
 from jounce.parts.bodies import INERTIA_ELEMENTS
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table
@@ -18,6 +21,53 @@ from jounce.parts.leverage import motion_ratio, spring_force, static_spring_forc
 
 WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 """Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
+
+
+def length_of_tyre(default: str) -> Number:
+    """Ask for the radius of the tyre, and say what it is otherwise."""
+    return Number(f"Undeformed tyre radius. Default: {default}.", unit="m", is_positive=True, most=LONGEST)
+
+
+def sprung_mass_of(default: str) -> Number:
+    """Ask for the sprung mass, and say what it is otherwise."""
+    return Number(f"Sprung mass on this wheel. Default: {default}.", unit="kg", is_positive=True)
+
+
+WheelMass: TypeAlias = Annotated[
+    float | None, Number("Mass of rim and tyre. Default: 20 kg (estimated).", unit="kg", is_positive=True)
+]
+TyreStiffness: TypeAlias = Annotated[
+    float | None, Number("Tyre stiffness. Default: 250 N/mm (estimated).", unit="N/m", is_positive=True)
+]
+TYRE_RADIUS = length_of_tyre("330 mm (estimated)")
+CARRIED_MASS = sprung_mass_of("what the spring carries at design (estimated)")
+NAMES_IN_FILE = Names("A name in the file and the hardpoint it is.", "THEIRS=OURS")
+
+
+class ImportedRig(NamedTuple):
+    """A rig read from a file of another program: the rig, what was assumed or left out, and its rig file as text."""
+
+    rig: Corner
+    findings: list[Finding]
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+    @property
+    def printed(self) -> str:
+        """What a terminal shows where no file is written."""
+        return self.text
+
+    def advice(self, where: str = "") -> list[Finding]:
+        """Give all findings: of the import, and of the rig in the file ``where``."""
+        return [*self.findings, *rig_findings(self.rig, where)]
+
+    def to_dict(self, where: str = "") -> dict[str, Any]:
+        """Give what was imported as plain data, with the text of the rig file."""
+        rig = self.rig
+        about = {"model": getattr(rig, "model", ""), "source": rig.source, "estimated": list(rig.estimated)}
+        return {**about, "findings": self.advice(where), "text": self.text}
 
 
 @dataclass

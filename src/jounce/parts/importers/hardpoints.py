@@ -7,13 +7,14 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Annotated, Any, Literal, cast, get_args
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError, at_line, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding, at_place, finding
+from jounce.core.operation import File, Mark, Names, operation
 from jounce.core.optional import MissingPackageError
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
@@ -22,9 +23,11 @@ from jounce.core.workbooks import sheets_of
 from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
+from jounce.parts.importers.drafts import ImportedRig, length_of_tyre
 from jounce.parts.importers.points import AXLE_END, LONGEST_LINE, PointRow, PointTable, from_nested, from_vsusp
 
 Side = Literal["left", "right"]
+Axle = Literal["front", "rear"]
 _NAMES = {
     "lower_arm_front": "lower wishbone front pivot|lca front|chas low for|lower control arm front|lower front inner",
     "lower_arm_rear": "lower wishbone rear pivot|lca rear|chas low aft|lower control arm rear|lower rear inner",
@@ -90,19 +93,36 @@ _STRUT = ("strut_bottom", "strut_top")
 _ADVICE = "Give names with --name THEIRS=OURS."
 
 
+@operation(
+    "import hardpoints",
+    named={"path": "file", "names": "name"},
+    echo={"file": "file"},
+    offers=("imported_rig",),
+    page="jounce.report.exchange:imported_rig_page",
+    title="{out}",
+    doing="reading the file",
+    example="jounce import hardpoints points.csv --out rig.toml",
+    python_only=("source",),
+)
 def import_hardpoints(
-    path: Path | str,
+    path: Annotated[
+        Path | str, File("Text (name, x, y, z; Lotus; OptimumKinematics; VSUSP), YAML, JSON, .xlsx.", "TABLE")
+    ],
     *,
-    unit: str | None = None,
-    axes: str | None = None,
-    side: Side = "left",
-    axle: Literal["front", "rear"] | None = None,
-    model: str | None = None,
-    names: Mapping[str, str] | None = None,
-    wheel_radius: float | None = None,
+    unit: Annotated[str | None, Mark("Of the coordinates: mm, m, inch, cm. Default: what the file says.")] = None,
+    axes: Annotated[
+        str | None, Mark('What in the table is forward, left and up, e.g. "-x,-y,z". Default: x,y,z.')
+    ] = None,
+    side: Annotated[Side, Mark("Corner that is read where there are both: left or right.")] = "left",
+    axle: Annotated[Axle | None, Mark("Axle that is read where there are both: front or rear.")] = None,
+    model: Annotated[str | None, Mark("Suspension. Default: the one that has these points.")] = None,
+    names: Annotated[
+        Mapping[str, str] | None, Names("A name in the table and the hardpoint it is.", "THEIRS=OURS")
+    ] = None,
+    wheel_radius: Annotated[float | None, length_of_tyre("height of the wheel centre (estimated)")] = None,
     source: str | None = None,
-) -> tuple[Corner, list[Finding], str]:
-    """Read a table of hardpoints as the left corner of a 3-D rig, for its kinematics.
+) -> ImportedRig:
+    """Convert a table of hardpoints to the left corner of a 3-D rig, for its kinematics.
 
     Reads ``name, x, y, z`` with any separator, point lists of Lotus Shark, tables of OptimumKinematics and Adams, text
     or ``.xlsx`` (extra ``io``). Masses, springs and dampers are in no such table: the rig leaves them out.
@@ -157,6 +177,10 @@ def import_hardpoints(
     >>> found.model, found.hardpoints == rig.hardpoints
     ('double-wishbone', True)
     """
+    if side not in get_args(Side):
+        raise unknown(side, get_args(Side), what="side", where="side")
+    if axle is not None and axle not in get_args(Axle):
+        raise unknown(axle, get_args(Axle), what="axle", where="axle")
     file = existing_file(path)
     reading = PointReading(_read(file), side, axle, {**(names or {})})
     return reading.rig(unit, axes, model, wheel_radius, source)
@@ -505,7 +529,7 @@ class PointReading:
 
     def rig(
         self, unit: str | None, axes: str | None, model: str | None, wheel_radius: float | None, source: str | None
-    ) -> tuple[Corner, list[Finding], str]:
+    ) -> ImportedRig:
         """The rig, its findings, and its file."""
         if wheel_radius is not None and not wheel_radius > 0.0:
             raise DescriptionError("out of range", where="wheel_radius", found=wheel_radius, allowed="above 0")
@@ -535,7 +559,8 @@ class PointReading:
             *(finding.message for finding in self.findings),
         ]
         text = rig_text(rig, comments)
-        return cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file))), self.findings, text
+        rig = cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file)))
+        return ImportedRig(rig, self.findings, text)
 
     def model_of(self, model: str | None) -> str:
         """The suspension that has these points, or the one that was asked for."""

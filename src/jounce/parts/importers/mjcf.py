@@ -7,20 +7,32 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any, cast
 from xml.etree import ElementTree as ET
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of, existing_file
-from jounce.core.findings import Finding, finding
+from jounce.core.findings import finding
 from jounce.core.markup import parse_xml
+from jounce.core.operation import File, Mark, operation
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
-from jounce.parts.importers.drafts import SPRUNG_MASS, TYRE_STIFFNESS, Draft, as_table, rig_of, tensor_of
+from jounce.parts.importers.drafts import (
+    NAMES_IN_FILE,
+    SPRUNG_MASS,
+    TYRE_STIFFNESS,
+    Draft,
+    ImportedRig,
+    as_table,
+    length_of_tyre,
+    rig_of,
+    sprung_mass_of,
+    tensor_of,
+)
 from jounce.parts.importers.hardpoints import PointReading, known_names
 from jounce.parts.importers.points import AXLE_END, PointRow, PointTable
 
@@ -51,16 +63,27 @@ class _Body:
     joints: list[tuple[str, str, Array, Array]] = field(default_factory=list)  # name, type, place, axis
 
 
+@operation(
+    "import mjcf",
+    named={"path": "file", "names": "name"},
+    echo={"file": "file"},
+    offers=("imported_rig",),
+    page="jounce.report.exchange:imported_rig_page",
+    title="{out}",
+    doing="reading the file",
+    example="jounce import mjcf corner.xml --out rig.toml",
+    python_only=("source",),
+)
 def import_mjcf(
-    path: Path | str,
+    path: Annotated[Path | str, File("Model of MuJoCo with one corner of a car.", "FILE.xml")],
     *,
-    names: Mapping[str, str] | None = None,
-    model: str | None = None,
-    wheel_radius: float | None = None,
-    sprung_mass: float | None = None,
+    names: Annotated[Mapping[str, str] | None, NAMES_IN_FILE] = None,
+    model: Annotated[str | None, Mark("Suspension. Default: the one that has these points.")] = None,
+    wheel_radius: Annotated[float | None, length_of_tyre("that of the tyre")] = None,
+    sprung_mass: Annotated[float | None, sprung_mass_of("that of the body in the file")] = None,
     source: str | None = None,
-) -> tuple[Corner, list[Finding], str]:
-    """Read a file of MuJoCo that holds one corner of a car as the left corner of a 3-D rig.
+) -> ImportedRig:
+    """Convert a model of MuJoCo (MJCF) whose bodies are a suspension to the left corner of a 3-D rig.
 
     Points are sites, joints and constraints with names that tables of hardpoints have, too; what is not named follows
     from the structure: two arms on hinges that share an upright by ball joints, a tie rod, a spring. Bodies with mass
@@ -406,7 +429,7 @@ class _Tree:
 
     def rig(
         self, model: str | None, wheel_radius: float | None, sprung_mass: float | None, source: str | None
-    ) -> tuple[Corner, list[Finding], str]:
+    ) -> ImportedRig:
         """The rig, its findings, and its file."""
         table = self.table()
         if not table.rows:
@@ -421,7 +444,7 @@ class _Tree:
         whole = self._whole(rig, before, reading.points, tyre, sprung_mass)
         self.draft.findings = findings + self.draft.findings
         if whole is None:
-            return rig, self.draft.findings, text
+            return ImportedRig(rig, self.draft.findings, text)
         made = rig.model_dump(
             by_alias=True, exclude_none=True, include={"schema_", "model", "source", "side", "hardpoints", "wheel"}
         )
@@ -435,7 +458,8 @@ class _Tree:
             *(finding.message for finding in self.draft.findings),
         ]
         text = rig_text(rig_of(self.draft, made), comments)
-        return cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file))), self.draft.findings, text
+        whole_rig = cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file)))
+        return ImportedRig(whole_rig, self.draft.findings, text)
 
     def _whole(
         self,

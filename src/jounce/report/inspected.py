@@ -1,0 +1,336 @@
+"""Records of a vehicle on a tester: evaluated, graded, written as protocols and put into a store."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing, nullcontext
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Annotated, Any
+
+from jounce.core.errors import DescriptionError, RecordingError, is_of_system, unknown
+from jounce.core.files import existing_file
+from jounce.core.findings import DrawingError, Finding
+from jounce.core.operation import Mark, Switch, Texts, operation
+from jounce.core.phrases import Phrase
+from jounce.core.shown import Shown
+from jounce.inspection.archive.entries import Grading, RecordEntry, pack
+from jounce.inspection.archive.lane import (
+    InspectedRecord,
+    check_methods,
+    entry_of,
+    grading_of,
+    inspect_record,
+    refusal_of,
+)
+from jounce.inspection.archive.store import Store
+from jounce.inspection.archive.storing import LIMITS
+from jounce.inspection.grading import VehicleGrade, grade_vehicle
+from jounce.inspection.limits import load_limits
+from jounce.inspection.quantities import LANGUAGES, Language
+from jounce.inspection.record import read_record, with_facts
+from jounce.parts import load
+from jounce.parts.testers import Tester, as_tester
+from jounce.report.inspection import inspection_page
+from jounce.report.page import Page, Paragraph, Section
+from jounce.report.protocol import check_protocol, facts_of, write_protocol
+
+_AXLES = ("front", "rear")
+
+
+@dataclass(frozen=True)
+class EvaluatedVehicle(Shown):
+    """The records of one vehicle, evaluated and graded.
+
+    Attributes
+    ----------
+    graded : VehicleGrade
+        Values of the wheels (SI), grades, verdicts and reasons.
+    records : tuple of InspectedRecord
+        One of each axle, in the order in which they were given.
+    protocols : tuple of Path
+        Files that were written.
+    store : str
+        Where they were stored; empty if nowhere.
+    numbers : tuple of int
+        Of the records in the store.
+    missing : tuple of Finding
+        What could not be drawn.
+    """
+
+    graded: VehicleGrade
+    records: tuple[InspectedRecord, ...]
+    protocols: tuple[Path, ...] = ()
+    store: str = ""
+    numbers: tuple[int, ...] = ()
+    missing: tuple[Finding, ...] = ()
+
+    def __str__(self) -> str:
+        return "\n\n".join(map(str, self.graded.axles))
+
+    @property
+    def title(self) -> str:
+        """Names of the records."""
+        return ", ".join(str(record.path) for record in self.records)
+
+    @property
+    def refusal(self) -> RecordingError | None:
+        """Give the first reason why a wheel is not graded, as an error; None where all are."""
+        for record in self.records:
+            for grade in record.graded.grades:
+                if grade.verdict == "not graded":
+                    reason = grade.reasons[0].text() if grade.reasons else "nothing is known"
+                    what = Phrase(
+                        "the {wheel} wheel cannot be graded: {reason}",
+                        wheel=grade.wheel,
+                        reason=reason.removesuffix("."),
+                    )
+                    return RecordingError(what, where=str(record.path))
+        return None
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """Why a wheel is not graded."""
+        return (str(self.refusal),) if self.refusal else ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give one axle as it is; two with all wheels in one list, each with its axle."""
+        plain = self._one_axle() if len(self.graded.axles) == 1 else self._both_axles()
+        plain["protocol"] = list(dict.fromkeys(map(str, self.protocols)))
+        plain["store"] = {"location": self.store, "records": list(self.numbers)} if self.store else None
+        if error := self.refusal:
+            plain["error"] = {"kind": type(error).__name__, "message": str(error), "where": error.where}
+            plain["error"]["what"] = error.what
+        return plain
+
+    def _one_axle(self) -> dict[str, Any]:
+        (axle,), (record, *_) = self.graded.axles, self.records
+        return {"record": str(record.path), **axle.to_dict(), "vehicle": self.graded.summary()}
+
+    def _both_axles(self) -> dict[str, Any]:
+        axles = [graded.to_dict() for graded in self.graded.axles]
+        names = [graded.axle for graded in self.graded.axles]
+        return {
+            "records": [str(record.path) for record in self.records],
+            "wheels": [
+                {"axle": name, **wheel} for name, axle in zip(names, axles, strict=True) for wheel in axle["wheels"]
+            ],
+            "axles": [{**axle["axle"], "facts": axle["facts"], "findings": axle["findings"]} for axle in axles],
+            "deciding": axles[0]["deciding"],
+            "limits": axles[0]["limits"],
+            "vehicle": self.graded.summary(),
+            "verdict": self.graded.verdict,
+        }
+
+
+@operation(
+    "inspect evaluate",
+    named={"records": "record", "methods": "method", "reports": "report"},
+    faces={"method": None, "report": None},
+    page="jounce.report.inspected:evaluated_page",
+    title="{result.title}",
+    doing="evaluating",
+    example="jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --report car.pdf",
+    note=(
+        "What --date, --place, --plate and --inspector say takes the place of the header's, in the store as well. A "
+        "record that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2."
+    ),
+)
+def evaluate_inspection(  # noqa: PLR0913 - each is an option
+    records: Annotated[
+        Sequence[Path | str], Texts("Record of one axle (CSV, netCDF, ...), or one of each axle.", "RECORD...")
+    ],
+    tester: Annotated[
+        Tester | Path | str, Mark("A tester file, or the name of a shipped one (eusama, egea-specsus2018, ...).")
+    ],
+    *,
+    vehicle: Annotated[
+        Path | str | None, Mark("Vehicle file or name; its weight is compared with the static loads.")
+    ] = None,
+    methods: Annotated[
+        Sequence[str],
+        Texts("Deciding method: eusama, egea, theta or boge; by default that of the tester. Repeat it."),
+    ] = (),
+    limits: Annotated[Path | str | None, LIMITS] = None,
+    reports: Annotated[
+        Sequence[Path | str],
+        Texts(
+            "Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it.", "FILE"
+        ),
+    ] = (),
+    store: Annotated[
+        Path | str | None, Mark("Store record and result: a SQLite file (created if missing), or a database URL.")
+    ] = None,
+    language: Annotated[Language, Mark("Language of the protocol: en or de.")] = "en",
+    date: Annotated[str | None, Mark("Day of the test, e.g. 2026-11-21.")] = None,
+    place: Annotated[str | None, Mark("Where it was made.")] = None,
+    plate: Annotated[str | None, Mark("Number plate of the vehicle.")] = None,
+    inspector: Annotated[str | None, Mark("Who made it.")] = None,
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+    progress: Callable[[str], None] = lambda _: None,
+) -> EvaluatedVehicle:
+    """Evaluate and grade the records of one or both axles, write the protocol, and store both.
+
+    What is given of date, place, plate and inspector takes the place of the header's, in the store as well. A record
+    that cannot be graded is stored with the reasons, never graded by guess.
+
+    Parameters
+    ----------
+    records : sequence of Path or str
+        Record of one axle, or one of each axle.
+    tester : Tester, Path or str
+        On which they were made: its description, file or shipped name.
+    vehicle : Path or str, optional
+        File or name of the vehicle; its weight is compared with the static loads.
+    methods : sequence of {"eusama", "egea", "theta", "boge"}
+        What decides; by default the method of the tester.
+    limits : Path or str, optional
+        Limits file; by default the shipped limits.
+    reports : sequence of Path or str
+        Protocols to write, ``.pdf`` or ``.html``; ``car.pdf,html`` are both. The values are in ``.json`` beside each.
+    store : Path or str, optional
+        SQLite file, which is created if missing, or a database URL.
+    language : {"en", "de"}
+        Of the protocols.
+    date : str, optional
+        Day of the test, such as ``2026-11-21``.
+    place : str, optional
+        Where it was made.
+    plate : str, optional
+        Number plate of the vehicle.
+    inspector : str, optional
+        Who made it.
+    force : bool
+        Overwrite existing protocols.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    EvaluatedVehicle
+        Values, grades and verdicts, and what was written.
+
+    Raises
+    ------
+    RecordingError
+        For a record that cannot be read; with a store, it is stored with the reason.
+    DescriptionError
+        For what does not fit the records: tester, method, limits, a header's text.
+    OutputError
+        For a protocol that exists, without ``force``; nothing is evaluated then.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> from jounce.testers.testing import write_test
+    >>> _, record = jn.simulate_axle(jn.load("audi-a6-full-car"), "egea-specsus2018")
+    >>> file = Path(tempfile.mkdtemp()) / "front.csv"
+    >>> _ = write_test(record, file)
+    >>> evaluate_inspection([file], "egea-specsus2018", place="Kempten").graded.verdict
+    'pass'
+    """
+    if len(records) > len(_AXLES):
+        raise DescriptionError("too many records", where="records", found=len(records), allowed="one of each axle")
+    paths = [existing_file(file, RecordingError) for file in records]
+    deciding = check_methods(methods)
+    if language not in LANGUAGES:
+        raise unknown(language, LANGUAGES, what="language", where="language")
+    protocols = [file for given in reports for file in _formats_of(Path(given))]
+    for file in protocols:
+        check_protocol(file, force=force)
+    if len(set(protocols)) < len(protocols):
+        raise DescriptionError("the same protocol is given twice", where="reports")
+    chosen, under_test = as_tester(tester), None if vehicle is None else load(vehicle)
+    name = "" if vehicle is None else Path(vehicle).stem
+    facts = {"date": date, "place": place, "plate_number": plate, "operator": inspector}
+    asked = _Asked(
+        {"tester": chosen, "vehicle": under_test, "methods": deciding}, load_limits(limits),
+        {key: text for key, text in facts.items() if text is not None}, name,
+    )  # fmt: skip
+    inspected, numbers = [], []
+    with nullcontext() if store is None else closing(Store(store)) as opened:
+        for file in paths:
+            progress(Phrase("evaluating {name}", name=file.name))
+            found, number = _inspected(file, asked, opened)
+            inspected.append(found)
+            numbers += [] if number is None else [number]
+    whole = grade_vehicle([found.graded for found in inspected])
+    digests = [sha256(found.path.read_bytes()).hexdigest()[:12] for found in inspected]
+    about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
+    about["record"] = ", ".join(
+        f"{found.path.name} (sha256 {digest})" for found, digest in zip(inspected, digests, strict=True)
+    )
+    signals = {found.graded.axle: found.record for found in inspected}
+    written: list[Path] = []
+    missing: list[Finding] = []
+    for file in protocols:
+        is_allowed = force or file is not protocols[0]  # their values have one file
+        try:
+            written += write_protocol(whole, file, records=signals, language=language, about=about, force=is_allowed)
+        except DrawingError as error:
+            written.append(file.with_suffix(".json"))
+            missing += error.findings
+    location = "" if opened is None else opened.location
+    return EvaluatedVehicle(whole, tuple(inspected), tuple(written), location, tuple(numbers), tuple(missing))
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """How records are to be evaluated, and what is said of the test."""
+
+    task: Mapping[str, Any]
+    limits: Any
+    facts: Mapping[str, str]
+    vehicle: str
+
+
+def _formats_of(file: Path) -> list[Path]:
+    """Files that a name with several suffixes stands for: ``car.pdf,html`` is ``car.pdf`` and ``car.html``."""
+    first, *others = file.name.split(",")
+    if not others or any(not suffix.isalnum() for suffix in others):
+        return [file]
+    return [file.with_name(first), *(file.with_name(first).with_suffix(f".{suffix}") for suffix in others)]
+
+
+def _inspected(file: Path, asked: _Asked, store: Store | None) -> tuple[InspectedRecord, int | None]:
+    """Read, evaluate and grade one record and store it; what cannot be read is stored, too, before it is refused.
+
+    The name of the vehicle counts where the header names none.
+    """
+    read, task = None, asked.task
+    try:
+        record, findings = read_record(file, task["tester"])
+        record, overruled = with_facts(record, dict(asked.facts), where=str(file))
+        read = (record, [*findings, *overruled])
+        found = inspect_record(file, task["tester"], task["vehicle"], task["methods"], asked.limits, read=read)
+    except Exception as error:
+        if is_of_system(error):  # the record was not looked at: this is no verdict
+            raise
+        # a description that does not fit a readable record is a wrong request, no property of the record
+        if store is not None and not (read is not None and isinstance(error, DescriptionError)):
+            _store(store, entry_of(file, asked.facts, **task), refusal_of(error, asked.limits))
+        raise
+    if store is None:
+        return found, None
+    entry = entry_of(file, {"vehicle": asked.vehicle, **asked.facts, **found.facts}, **task)
+    return found, _store(store, replace(entry, signals=pack(*read)), grading_of(found.graded))
+
+
+def _store(store: Store, entry: RecordEntry, grading: Grading) -> int:
+    """Put a record into the store; one that it holds already gets one more grading."""
+    number, is_new = store.accept(entry, grading)
+    if not is_new:
+        store.add_gradings([(number, grading)])
+    return number
+
+
+def evaluated_page(found: EvaluatedVehicle, *, title: str) -> Page:
+    """Put the graded axles of a vehicle on a page, with what was written."""
+    page = inspection_page(found.graded, title=title)
+    lines = [f"written: {file}" for file in dict.fromkeys(map(str, found.protocols))]
+    if found.store:
+        lines.append(f"stored: {found.store}, record {', '.join(map(str, found.numbers))}")
+    written = Section("Written", tuple(Paragraph(line) for line in lines))
+    return replace(page, sections=(*page.sections, written)) if lines else page
