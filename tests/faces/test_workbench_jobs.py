@@ -127,14 +127,14 @@ def test_python_of_a_test_and_its_evaluation_gives_what_the_command_gives(tmp_pa
     tested = {"kind": "test", "vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018", "out": "axle.csv"}
     names, told = _by_python_and_command(tmp_path, tested | {"wear": "0.3"}, cli)
     assert told["wheels"][0]["phase_angle_min_deg"] == pytest.approx(
-        names["graded"].to_dict()["wheels"][0]["phase_angle_min_deg"]
+        names["result"].axle.to_dict()["wheels"][0]["phase_angle_min_deg"]
     )
     names, told = _by_python_and_command(tmp_path, tested | {"wheel": "left", "out": "left.csv"}, cli)
-    assert told["phase_angle_min_deg"] == pytest.approx(names["found"].wheel.to_dict()["phase_angle_min_deg"])
+    assert told["phase_angle_min_deg"] == pytest.approx(names["result"].tests[0].wheel.to_dict()["phase_angle_min_deg"])
     asked = {"kind": "evaluate", "records": ["axle.csv"], "tester": "egea-specsus2018", "methods": ["eusama"],
              "vehicle": "audi-a6-half-car-4dof"}  # fmt: skip
     names, told = _by_python_and_command(tmp_path, asked, cli)
-    (axle,) = names["whole"].axles
+    (axle,) = names["result"].graded.axles
     assert told["deciding"] == ["eusama"] == list(axle.deciding)
     assert told["wheels"] == _plain(axle.to_dict()["wheels"])
 
@@ -150,7 +150,7 @@ def test_python_of_a_store_gives_what_its_commands_give(tmp_path, cli):
         names, told = _by_python_and_command(
             tmp_path, asked | {"store": "python.sqlite"}, cli, store="command.sqlite", language="de"
         )
-        assert told["wheels"] == _plain(names["whole"].axles[0].to_dict()["wheels"])
+        assert told["wheels"] == _plain(names["result"].graded.axles[0].to_dict()["wheels"])
     for store in ("python.sqlite", "command.sqlite"):
         names, told = _by_python_and_command(tmp_path, {"kind": "history", "store": store, "plate": "bö1"}, cli)
         flat = [{**one, **one.pop("values")} for one in _plain(names["result"].visits)]

@@ -22,18 +22,6 @@ from jounce.web.campaigns import title_of
 from jounce.web.project import Project
 
 _SIGNS = "from jounce.identify.signs import compression_positive\n"
-_INSPECTING = (
-    "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n"
-    "from jounce.inspection.grading import grade_vehicle\n"
-    "from jounce.inspection.record import read_record, with_facts\n"
-)
-_STORING = (
-    "from contextlib import closing\nfrom dataclasses import replace\n\n"
-    "import jounce as jn\nfrom jounce.inspection.archive.entries import pack\n"
-    "from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record\n"
-    "from jounce.inspection.archive.store import Store\nfrom jounce.inspection.grading import grade_vehicle\n"
-    "from jounce.inspection.record import read_record, with_facts\n"
-)
 _WANTED = '{"displacement": "m", "force": "N"}'
 LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
 
@@ -253,43 +241,18 @@ class EvaluateTask(_Task):
     language: Literal["en", "de"] = "en"
 
     def _doing(self, project: Project) -> Doing:
-        records = [_file(project, one) for one in self.records]
-        tester = _tester(project, self.tester)
-        words = ["inspect", "evaluate", *records, f"--tester={tester}"]
-        words += [f"--vehicle={_rig(project, self.vehicle)}"] if self.vehicle else []
-        words += [f"--method={one}" for one in self.methods]
-        words += [f"--limits={_file(project, self.limits)}"] if self.limits else []
-        words += [f"--store={_store(project, self.store)}"] if self.store else []
-        for name in ("plate", "date", "place", "inspector"):
-            words += [f"--{name}={getattr(self, name)}"] if getattr(self, name) else []
-        words += ["--language=de"] if self.language == "de" else []
-        vehicle = f"jn.load({self.vehicle!r})" if self.vehicle else "None"
-        limits = f"jn.load_limits({self.limits!r})" if self.limits else "None"
-        facts = {"date": self.date, "place": self.place, "plate_number": self.plate, "operator": self.inspector}
-        given = {name: text for name, text in facts.items() if text}
-        named = {"vehicle": Path(self.vehicle).stem} if self.vehicle else {}
-        methods = list(dict.fromkeys(self.methods)) or None
-        python = (
-            f"{_STORING if self.store else _INSPECTING}\n"
-            f"tester, vehicle, limits = jn.load_tester({tester!r}), {vehicle}, {limits}\n"
-            f"found = []\nfor file in {records!r}:\n"
-            "    record, findings = read_record(file, tester)\n"
-            f"    record, overruled = with_facts(record, {given!r}, where=file)\n"
-            "    read = (record, [*findings, *overruled])\n"
-            f"    found.append(inspect_record(file, tester, vehicle, {methods!r}, limits, read=read))\n"
-        )
-        if self.store:
-            python += (
-                f"    facts = {{**{given | named!r}, **found[-1].facts}}\n"
-                f"    entry = entry_of(file, facts, tester, vehicle=vehicle, methods={methods!r})\n"
-                "    grading = grading_of(found[-1].graded)\n"
-                f"    with closing(Store({_store(project, self.store)!r})) as store:\n"
-                "        number, is_new = store.accept(replace(entry, signals=pack(*read)), grading)\n"
-                "        store.add_gradings([] if is_new else [(number, grading)])\n"
-            )
-        python += "whole = grade_vehicle([one.graded for one in found])\nprint(whole)\n"
-        title = f"Inspection of {', '.join(Path(one).name for one in records)}"
-        return Doing(title, words, _REPORT, python, limits=LIMITS)
+        given = {
+            **self.model_dump(include={"plate", "date", "place", "inspector", "language"}),
+            "record": [_file(project, record) for record in self.records],
+            "tester": _tester(project, self.tester),
+            "method": list(dict.fromkeys(self.methods)),
+            "vehicle": self.vehicle and _rig(project, self.vehicle),
+            "limits": self.limits and _file(project, self.limits),
+            "store": self.store and _store(project, self.store),
+        }
+        request = _request("inspect evaluate", given)
+        title = f"Inspection of {', '.join(Path(record).name for record in self.records)}"
+        return Doing(title, request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class HistoryTask(_Task):
@@ -351,17 +314,10 @@ class TestTask(_Task):
             _tester(project, self.tester),
             _folder(project, self.out),
         )
-        words = ["inspect", "simulate", rig, f"--tester={tester}", f"--wheel={self.wheel}", f"--out={out}"]
-        words += [f"--wear={self.wear}"] if self.wear else []
-        worn = f"worn(jn.load({rig!r}), sweep_wear({self.wear!r})[0])" if self.wear else f"jn.load({rig!r})"
-        more = "from jounce.inspection.simulated import sweep_wear\nfrom jounce.parts.variants import worn\n"
-        test = (
-            f"graded, record = jn.simulate_axle({worn}, tester)"
-            if self.wheel == "both"
-            else f"found = jn.simulate_inspection({worn}, tester, wheel={self.wheel!r})"
-        )
-        python = f"import jounce as jn\n{more if self.wear else ''}\ntester = jn.load_tester({tester!r})\n{test}\n"
-        return Doing(f"Test of {Path(rig).stem}", words, python=python)
+        given = {"rig": rig, "tester": tester, "wheel": self.wheel, "wear": self.wear}
+        request = _request("inspect simulate", given)
+        words = [*request.words(), f"--out={out}"]
+        return Doing(f"Test of {Path(rig).stem}", words, python=request.python())
 
 
 class _Reading(_Task):
