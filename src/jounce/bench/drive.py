@@ -234,8 +234,8 @@ def photo_sensor_speed(
 
     Examples
     --------
-    >>> found = photo_sensor_speed(BenchDrive(), 62, 10.0)
-    >>> round(found.speed.value, 3), round(found.speed.standard_error, 3)
+    >>> counted = photo_sensor_speed(BenchDrive(), 62, 10.0)
+    >>> round(counted.speed.value, 3), round(counted.speed.standard_error, 3)
     (2.006, 0.013)
     """
     _check_positive(pulses, "number of pulses", "")

@@ -160,7 +160,7 @@ Placed = tuple[FitTrial, TrialOnBelt | None, Sequence[Finding]]
 """A trial that meets its obstacle when the record does, what was found of belt and passages, and what is doubtful."""
 
 
-def placed(trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None) -> Placed:
+def place_trial(trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None) -> Placed:
     """Give a trial whose model meets the obstacle when the record does.
 
     On a belt the record is the average of its loops (``passage="all"``), or one of them, and the model has been
@@ -177,33 +177,33 @@ def placed(trial: FitTrial, noted: float | None, passage: Passage, pulses: Pulse
     road = trial.trial.road
     assert road is not None
     assert trial.trial.speed is not None
-    channels = _compared(trial)
+    channels = _compared_channels(trial)
     if road.recurrence is None:
-        return _moved(trial, noted, channels)
-    found = find_passages(
+        return _move_obstacle(trial, noted, channels)
+    passages = find_passages(
         trial.measured, trial.rig, road, trial.trial.speed, sensors=trial.sensors, channels=channels, name=trial.name
     )
     if passage != "all":
-        found = select_loop(found, trial.measured, passage, channels=channels, name=trial.name)
-    slip = None if pulses is None else 1.0 - found.speed / pulses.mean
+        passages = select_loop(passages, trial.measured, passage, channels=channels, name=trial.name)
+    slip = None if pulses is None else 1.0 - passages.speed / pulses.mean
     facts = TrialOnBelt(
         noted,
         None if pulses is None else pulses.mean,
-        found.speed,
+        passages.speed,
         slip,
-        found,
-        tuple(_speed_findings(noted, slip, found)),
+        passages,
+        tuple(_speed_findings(noted, slip, passages)),
     )
     sensors = {name: _with_free_zero(trial.sensors.get(name)) for name in channels}
     trial = replace(trial, sensors={**trial.sensors, **sensors})
-    if found.loop is None:
-        met = ", ".join(f"{time:.3g} s" for time in found.times)
+    if passages.loop is None:
+        met = ", ".join(f"{time:.3g} s" for time in passages.times)
         facts = replace(facts, findings=(*facts.findings, finding("campaign.no_whole_loop", "belt", None, times=met)))
-        return trial_on_running_belt(trial, found), facts, facts.findings
-    return averaged_trial(trial, found), facts, facts.findings
+        return trial_on_running_belt(trial, passages), facts, facts.findings
+    return averaged_trial(trial, passages), facts, facts.findings
 
 
-def _compared(trial: FitTrial) -> list[str]:
+def _compared_channels(trial: FitTrial) -> list[str]:
     return [str(name) for name in trial.measured.data_vars if str(name) != PULSES]
 
 
@@ -213,19 +213,19 @@ def _with_free_zero(sensor: Sensor | None) -> Sensor:
     return sensor if sensor.datum is not None else sensor.model_copy(update={"datum": "free offset"})
 
 
-def _speed_findings(noted: float | None, slip: float | None, found: Passages) -> list[Finding]:
-    findings = list(found.findings)
+def _speed_findings(noted: float | None, slip: float | None, passages: Passages) -> list[Finding]:
+    findings = list(passages.findings)
     if slip is not None and abs(slip) > _SLIP_BEYOND:
         code = "campaign.belt_slips" if 0.0 < slip < _LARGEST_SLIP else "campaign.belt_and_pulses_differ"
-        findings.append(finding(code, "speed", slip, slip=slip, speed=found.speed))
+        findings.append(finding(code, "speed", slip, slip=slip, speed=passages.speed))
     # Speeds are noted to three digits, 1.95 m/s to 0.3 %; beyond 1 % it is not rounding.
-    if noted is not None and abs(found.speed / noted - 1.0) > 0.01:
-        numbers = {"noted": noted, "period": found.period, "speed": found.speed}
-        findings.append(finding("campaign.other_speed_than_noted", "speed", found.speed, **numbers))
+    if noted is not None and abs(passages.speed / noted - 1.0) > 0.01:
+        numbers = {"noted": noted, "period": passages.period, "speed": passages.speed}
+        findings.append(finding("campaign.other_speed_than_noted", "speed", passages.speed, **numbers))
     return findings
 
 
-def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
+def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
     """Move the obstacle to where the record meets it; leave a trial alone whose record begins where the road says."""
     road, speed = trial.trial.road, trial.trial.speed
     assert road is not None
@@ -233,24 +233,24 @@ def _moved(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
     if road.is_course() or road.end() == road.start:
         return trial, None, ()
     try:
-        found = find_passages(
+        passages = find_passages(
             trial.measured, trial.rig, road, speed, sensors=trial.sensors, channels=channels, name=trial.name
         )
     except ObstacleNotFoundError:
         raise
     except JounceError:
         return trial, None, ()  # the comparison says what it finds
-    met, stated = found.times[0], road.start / speed
-    if abs(met - stated) <= _MET_AS_STATED or found.likeness[0] < _SURE:
-        return trial, None, found.findings
+    met, stated = passages.times[0], road.start / speed
+    if abs(met - stated) <= _MET_AS_STATED or passages.likeness[0] < _SURE:
+        return trial, None, passages.findings
     driven = trial.trial.with_fields(road=road.with_fields(start=max(met * speed, 0.0)))
     facts = TrialOnBelt(
         noted,
         None,
         speed,
         None,
-        found,
-        (*found.findings, finding("campaign.met_elsewhere", "road", met, met=met, stated=stated)),
+        passages,
+        (*passages.findings, finding("campaign.met_elsewhere", "road", met, met=met, stated=stated)),
     )
     return replace(trial, trial=driven), facts, facts.findings
 
@@ -259,7 +259,7 @@ _SURE = 0.8
 """Correlation with the model's response from which on its place is taken, rather than that of the road."""
 
 
-def exchanged(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
+def exchanged_trials(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
     """Name pairs of trials whose records were exchanged: each runs at the speed that is noted of the other."""
     noted = {number: facts.noted for number, facts in trials.items() if facts.noted is not None}
     findings = []

@@ -582,17 +582,17 @@ def fit_measured_stiffness(
         measured.trials,
         law=law,
         degree=degree,
-        discard_below=_given(discard_below, motion.deflection, "discard_below", longest) or 0.0,
+        discard_below=_optional_quantity(discard_below, motion.deflection, "discard_below", longest) or 0.0,
         intercept=intercept,
         branch=branch,
-        operating_force=_given(operating_force, motion.force, "operating_force"),
+        operating_force=_optional_quantity(operating_force, motion.force, "operating_force"),
     )
     source = f"{fit.law} law of {title_of(measured.files)}"
     text = "" if rig is None else _with_rate(fit, rig, part or "strut.spring.rate", source)
     return MeasuredStiffness(fit, measured, text, (*measured.findings, *fit.findings))
 
 
-def _given(value: float | str | None, unit: str, where: str, most: float | None = None) -> float | None:
+def _optional_quantity(value: float | str | None, unit: str, where: str, most: float | None = None) -> float | None:
     return None if value is None else quantity(str(value), unit, where, most=most)
 
 

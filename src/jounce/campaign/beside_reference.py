@@ -51,47 +51,47 @@ def beside_reference(
     if reference is None:
         return []
     rows: list[ReferenceComparison] = []
-    for told in reference.update:
-        strategy = next((item for item in strategies if item.update.name == told.update), None)
+    for published in reference.update:
+        strategy = next((item for item in strategies if item.update.name == published.update), None)
         if strategy is None:
             rows.append(
                 ReferenceComparison(
-                    told.update, "", "not run", "not comparable", "The update failed or was not chosen."
+                    published.update, "", "not run", "not comparable", "The update failed or was not chosen."
                 )
             )
         else:
-            rows += _of_update(told, strategy)
+            rows += _of_update(published, strategy)
     if reference.best_speeds:
         rows.append(_of_speeds(reference.best_speeds, trials))
     return rows
 
 
-def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[ReferenceComparison]:
-    name, update = told.update, strategy.update
-    if told.reduction is not None:
+def _of_update(published: ReferenceUpdate, strategy: StrategyResult) -> Iterator[ReferenceComparison]:
+    name, update = published.update, strategy.update
+    if published.reduction is not None:
         ours = update.reduction_percent / 100.0
-        agrees = abs(ours - told.reduction) <= REDUCTION_APART
+        agrees = abs(ours - published.reduction) <= REDUCTION_APART
         follows = (
             "The update explains as much here as there."
             if agrees
             else "It counts from each one's own start: ours lay "
-            + ("farther from the optimum." if ours > told.reduction else "nearer to it, or the model lacks more.")
+            + ("farther from the optimum." if ours > published.reduction else "nearer to it, or the model lacks more.")
         )
-        yield _compared(f"{name}: reduction", _percent(told.reduction), _percent(ours), agrees, follows)
-    if told.iterations is not None:
-        agrees = update.iterations <= 2 * told.iterations and told.iterations <= 2 * update.iterations
+        yield _comparison(f"{name}: reduction", _percent(published.reduction), _percent(ours), agrees, follows)
+    if published.iterations is not None:
+        agrees = update.iterations <= 2 * published.iterations and published.iterations <= 2 * update.iterations
         follows = "Iterations depend on method, start and stopping rule; they say nothing of the model."
-        yield _compared(f"{name}: iterations", str(told.iterations), str(update.iterations), agrees, follows)
-    if told.represents is not None:
-        seen = _represented(strategy)
-        agrees = seen == set(told.represents)
+        yield _comparison(f"{name}: iterations", str(published.iterations), str(update.iterations), agrees, follows)
+    if published.represents is not None:
+        seen = _represented_channels(strategy)
+        agrees = seen == set(published.represents)
         follows = f"A channel counts as represented with R² of {REPRESENTED:g} or more on the trials of the update."
-        yield _compared(f"{name}: represents", _listed(told.represents), _listed(seen), agrees, follows)
-    for path, given in told.parameters.items():
-        found = update.parameters.get(path)
+        yield _comparison(f"{name}: represents", _join_names(published.represents), _join_names(seen), agrees, follows)
+    for path, given in published.parameters.items():
+        parameter = update.parameters.get(path)
         unit = unit_of(strategy.knowledge.rig, path) if path in strategy.knowledge.rig.parameters() else "1"
         value = to_si(given, unit, where=f"reference.update.parameters: {path}")
-        if found is None:
+        if parameter is None:
             yield ReferenceComparison(
                 f"{name}: {path}", f"{value:.4g} {unit}", "–", "not comparable", "It was not free here."
             )
@@ -101,10 +101,10 @@ def _of_update(told: ReferenceUpdate, strategy: StrategyResult) -> Iterator[Refe
         follows = (
             "" if agrees else "Another part, another law, or an error of one of both: compare the component tests."
         )
-        yield _compared(f"{name}: {path}", f"{value:.4g} {unit}", f"{low:.4g} to {high:.4g} {unit}", agrees, follows)
+        yield _comparison(f"{name}: {path}", f"{value:.4g} {unit}", f"{low:.4g} to {high:.4g} {unit}", agrees, follows)
 
 
-def _compared(what: str, published: str, ours: str, agrees: bool, follows: str) -> ReferenceComparison:
+def _comparison(what: str, published: str, ours: str, agrees: bool, follows: str) -> ReferenceComparison:
     return ReferenceComparison(what, published, ours, "reproduced" if agrees else "not reproduced", follows)
 
 
@@ -112,11 +112,11 @@ def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
     discrepancy = strategy.update.discrepancy
     if discrepancy is not None and path in discrepancy.parameters:
         return discrepancy.parameters[path].interval
-    found = strategy.update.parameters[path]
-    return found.interval or (found.value, found.value)
+    parameter = strategy.update.parameters[path]
+    return parameter.interval or (parameter.value, parameter.value)
 
 
-def _represented(strategy: StrategyResult) -> set[str]:
+def _represented_channels(strategy: StrategyResult) -> set[str]:
     """Channels with a high R2 on all trials that the update was fitted on."""
     fitted = [trial.after for trial in strategy.trials if trial.is_fitted and trial.after is not None]
     channels = set.intersection(*(set(after.channels) for after in fitted)) if fitted else set()
@@ -137,7 +137,7 @@ def _of_speeds(published: tuple[float, ...], trials: Sequence[TrialResult]) -> R
             "best speeds", said, ours, "not comparable", "No trial of a single obstacle was usable."
         )
     follows = "By the largest NRMSE of a channel, over the trials of a single obstacle."
-    return _compared("best speeds", said, ours, len(near) == len(published), follows)
+    return _comparison("best speeds", said, ours, len(near) == len(published), follows)
 
 
 _SPEEDS_APART = 0.1  # m/s: how far repeated settings of the published bench lie apart
@@ -152,5 +152,5 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:.1f} %"
 
 
-def _listed(names: Any) -> str:
+def _join_names(names: Any) -> str:
     return ", ".join(sorted(names)) or "none"

@@ -99,8 +99,8 @@ def with_tyre(rig: Rig, table: TyreTable) -> Rig:
     if not table:
         return rig
     dump = rig.model_dump(by_alias=True, exclude_none=True)
-    kept = {key: value for key, value in dump["tyre"].items() if key not in ("stiffness", "curve")}
-    return type(rig).from_table({**dump, "tyre": {**kept, **table}})
+    others = {key: value for key, value in dump["tyre"].items() if key not in ("stiffness", "curve")}
+    return type(rig).from_table({**dump, "tyre": {**others, **table}})
 
 
 def tyre_of(rig: Rig) -> TyreTable:
@@ -158,7 +158,7 @@ def characterise(
     rig: Rig, bench: Bench, folder: Path, sensors: Mapping[str, Sensor] | None = None
 ) -> tuple[Characterisation, Knowledge]:
     """Evaluate all bench tables (files relative to ``folder``); return results and the rig with measured values."""
-    found = Characterisation()
+    measured = Characterisation()
     knowledge = Knowledge(rig)
     steps: list[tuple[Callable[..., Knowledge], str, Any]] = [
         (_spring, "bench.spring", bench.spring),
@@ -169,16 +169,16 @@ def characterise(
         if not table:
             continue
         try:
-            knowledge = step(found, knowledge, table, folder)
+            knowledge = step(measured, knowledge, table, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            found.failed.append(place)
-            found.findings.append(finding("campaign.described_value_used", place, error=reason(error)))
-    return found, knowledge
+            measured.failed.append(place)
+            measured.findings.append(finding("campaign.described_value_used", place, error=reason(error)))
+    return measured, knowledge
 
 
 def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
     """Find the files of a table, each once; every pattern must match at least one."""
-    found: list[Path] = []
+    files: list[Path] = []
     for pattern in patterns:
         matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
         if not matches:
@@ -188,8 +188,8 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
                 found=pattern,
                 hint=Phrase("The pattern is relative to {folder}.", folder=folder),
             )
-        found += [file for file in matches if file not in found]  # counted twice, it would look like a repetition
-    return found
+        files += [file for file in matches if file not in files]  # counted twice, it would look like a repetition
+    return files
 
 
 _COLUMNS: dict[MotionName, dict[str, str]] = {
@@ -211,8 +211,8 @@ def read_force_deflection(
     """
     trials, findings = [], []
     for file in files:
-        values, notes = table.read_columns(file, [_COLUMNS[one.name] for one in motions])
-        motion = next(one for one in motions if set(_COLUMNS[one.name]) == set(values))
+        values, notes = table.read_columns(file, [_COLUMNS[kind.name] for kind in motions])
+        motion = next(kind for kind in motions if set(_COLUMNS[kind.name]) == set(values))
         deflection, force = values.values()
         trials.append(ForceDeflectionTrial(deflection, force, file.name, stroke_positive, force_positive, motion.name))
         findings += notes
@@ -220,10 +220,10 @@ def read_force_deflection(
 
 
 def _fit(
-    table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any
+    table: StiffnessBench, folder: Path, where: str, load: float, measured: Characterisation, **choice: Any
 ) -> StiffnessResult:
-    found_files = files_of(table.files, folder, where)
-    trials, findings = read_force_deflection(found_files, table, table.stroke_positive, table.force_positive)
+    paths = files_of(table.files, folder, where)
+    trials, findings = read_force_deflection(paths, table, table.stroke_positive, table.force_positive)
     settings: dict[str, Any] = {
         "law": table.law,
         "degree": table.degree,
@@ -234,19 +234,19 @@ def _fit(
         **choice,
     }
     result = fit_stiffness(trials, **settings)
-    found.loaded.setdefault(where.removesuffix(" as polynomial"), trials)
-    found.findings += [at_place(f"{where}: {item.place}", item) for item in (*findings, *result.findings)]
+    measured.loaded.setdefault(where.removesuffix(" as polynomial"), trials)
+    measured.findings += [at_place(f"{where}: {item.place}", item) for item in (*findings, *result.findings)]
     return result
 
 
-def _has_value(found: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate) -> bool:
+def _has_value(measured: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate) -> bool:
     """Whether a bench result may replace what the rig describes; where it may not, a finding says why."""
-    problem = next((one.message for one in findings if one.severity == "problem"), None)
+    problem = next((item.message for item in findings if item.severity == "problem"), None)
     unsure = estimate.standard_error is not None and estimate.standard_error > _UNSURE * abs(estimate.value)
     if problem is None and not unsure:
         return True
     why = problem or f"{estimate.value:.3g} ± {estimate.standard_error:.2g} is no value"
-    found.findings.append(finding("campaign.replaces_nothing", place, error=why))
+    measured.findings.append(finding("campaign.replaces_nothing", place, error=why))
     return False
 
 
@@ -254,15 +254,15 @@ _UNSURE = 0.5
 """Standard error over value above which a bench result is none: its interval holds zero and twice the value."""
 
 
-def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
+def _spring(measured: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
     rig = knowledge.rig
     values = rig.parameters()
-    result = found.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), found)
-    if not _has_value(found, "bench.spring", result.findings, result.stiffness):
+    result = measured.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), measured)
+    if not _has_value(measured, "bench.spring", result.findings, result.stiffness):
         return knowledge
     dump = rig.model_dump(by_alias=True, exclude_none=True)
     dump["strut"]["spring"] = _measured_spring(result, values)
-    found.replaced.append(
+    measured.replaced.append(
         Replaced(
             "strut.spring.rate",
             values.get("strut.spring.rate"),
@@ -305,17 +305,19 @@ def static_tyre_force(rig: Rig) -> float:
     return (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
 
 
-def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path) -> Knowledge:
+def _tyre(
+    measured: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path
+) -> Knowledge:
     values = knowledge.rig.parameters()
     load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in tables.items():
         place, pressure = f'bench.tyre."{name}"', to_si(name, "Pa", where="bench.tyre")
-        result = found.tyre[name] = _fit(table, folder, place, load, found)
-        if not _has_value(found, place, result.findings, result.stiffness):
+        result = measured.tyre[name] = _fit(table, folder, place, load, measured)
+        if not _has_value(measured, place, result.findings, result.stiffness):
             continue
         tyres[pressure] = _tyre_table(result)
-        found.replaced.append(
+        measured.replaced.append(
             Replaced(
                 "tyre.stiffness",
                 values.get("tyre.stiffness"),
@@ -326,11 +328,11 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
         )
     if not tyres:
         return knowledge
-    points = [(at, found.tyre[name].stiffness) for name in tables if (at := to_si(name, "Pa")) in tyres]
-    found.pressure = stiffness_against_pressure(points)
-    found.findings += found.pressure.findings
-    linear = all(result.law == "linear" for result in found.tyre.values())
-    between = partial(_interpolated, found) if linear else partial(_nearest, tyres)
+    points = [(at, measured.tyre[name].stiffness) for name in tables if (at := to_si(name, "Pa")) in tyres]
+    measured.pressure = stiffness_against_pressure(points)
+    measured.findings += measured.pressure.findings
+    linear = all(result.law == "linear" for result in measured.tyre.values())
+    between = partial(_interpolate, measured) if linear else partial(_nearest, tyres)
     first = next(iter(tyres.values()))
     return Knowledge(with_tyre(knowledge.rig, first), tyres, between)
 
@@ -340,24 +342,24 @@ def _nearest(tyres: Mapping[float, dict[str, Any]], pressure: float) -> dict[str
     return tyres[min(tyres, key=lambda known: abs(known - pressure))]
 
 
-def _interpolated(found: Characterisation, pressure: float) -> dict[str, Any]:
+def _interpolate(measured: Characterisation, pressure: float) -> dict[str, Any]:
     """Table of the tyre at a pressure (Pa) between those that were measured."""
-    assert found.pressure is not None
-    stiffness, notes = found.pressure.at(pressure)
-    found.findings += [note for note in notes if note not in found.findings]
+    assert measured.pressure is not None
+    stiffness, notes = measured.pressure.at(pressure)
+    measured.findings += [note for note in notes if note not in measured.findings]
     return {"stiffness": stiffness.value}
 
 
-def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Characterisation) -> Knowledge:
+def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, measured: Characterisation) -> Knowledge:
     """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
     load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in bench.tyre.items():
-        if name not in found.tyre_polynomial:
-            found.tyre_polynomial[name] = _fit(
-                table, folder, f'bench.tyre."{name}" as polynomial', load, found, law="polynomial", discard_below=0.0
+        if name not in measured.tyre_polynomial:
+            measured.tyre_polynomial[name] = _fit(
+                table, folder, f'bench.tyre."{name}" as polynomial', load, measured, law="polynomial", discard_below=0.0
             )
-        tyres[to_si(name, "Pa")] = _tyre_table(found.tyre_polynomial[name])
+        tyres[to_si(name, "Pa")] = _tyre_table(measured.tyre_polynomial[name])
     if not tyres:
         raise RecordingError(
             'tyre_law = "polynomial" needs measured tyre curves', where="update", allowed='a [bench.tyre."P"] table'
@@ -401,7 +403,7 @@ def decay_records(table: DecayBench, folder: Path, sensors: Mapping[str, Sensor]
 
 
 def _decay(
-    found: Characterisation,
+    measured: Characterisation,
     knowledge: Knowledge,
     table: DecayBench,
     folder: Path,
@@ -421,7 +423,7 @@ def _decay(
     check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
     for record in decay_records(table, folder, sensors):
         time, signal = record.time, record.signal
-        found.findings += record.findings
+        measured.findings += record.findings
         asked: dict[str, Any] = {"mass": seen_at.sprung_mass, "quantity": _quantity(table.channel)}
         asked |= {"begin": table.from_, "end": table.to, "name": record.file}
         stiffness: float | None = seen_at.wheel_rate
@@ -429,25 +431,27 @@ def _decay(
             plain = fit_decay(time, signal, quadratic_drag="no", **asked)
             stiffness = seen_at.stiffness_behind(plain.damping_coefficient.value)
         results.append(fit_decay(time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked))
-    found.decays = tuple(results)
-    found.decay = combine_decays(results) if len(results) > 1 else results[0]
-    found.findings += [at_place(f"bench.decay: {item.place}", item) for item in found.decay.findings]
+    measured.decays = tuple(results)
+    measured.decay = combine_decays(results) if len(results) > 1 else results[0]
+    measured.findings += [at_place(f"bench.decay: {item.place}", item) for item in measured.decay.findings]
     has_coefficient = "strut.damper.coefficient" in values
-    refer: Callable[[float], tuple[float, float]] = seen_at.referred if on_tyre else lambda seen: (seen, 1.0)
-    found.damping_choices = _damping_choices(found.decay, seen_at, refer if has_coefficient else None, table.method)
+    refer: Callable[[float], tuple[float, float]] = seen_at.refer if on_tyre else lambda seen: (seen, 1.0)
+    measured.damping_choices = _damping_choices(
+        measured.decay, seen_at, refer if has_coefficient else None, table.method
+    )
     if not has_coefficient:
-        found.findings.append(finding("campaign.decay_not_used", "bench.decay"))
+        measured.findings.append(finding("campaign.decay_not_used", "bench.decay"))
         return knowledge
-    at_strut = next(choice.at_strut for choice in found.damping_choices if choice.is_used)
+    at_strut = next(choice.at_strut for choice in measured.damping_choices if choice.is_used)
     assert at_strut is not None
     if not math.isfinite(at_strut.value):
         raise RecordingError("the decays have too few swings for a logarithmic decrement", where="bench.decay.method")
-    seen = next(choice.seen for choice in found.damping_choices if choice.is_used)
-    if not _has_value(found, "bench.decay", found.decay.findings, at_strut):
+    seen = next(choice.seen for choice in measured.damping_choices if choice.is_used)
+    if not _has_value(measured, "bench.decay", measured.decay.findings, at_strut):
         return knowledge
     if on_tyre and seen_at.damping_behind(seen.value) is None:
-        found.findings.append(finding("campaign.decay_too_fast", "bench.decay", seen.value))
-    found.replaced.append(
+        measured.findings.append(finding("campaign.decay_too_fast", "bench.decay", seen.value))
+    measured.replaced.append(
         Replaced(
             "strut.damper.coefficient",
             values["strut.damper.coefficient"],
@@ -472,27 +476,30 @@ def _damping_choices(
     ratio = ratio_from_decrement(decrement.value) if math.isfinite(decrement.value) else math.inf
     slope = (2.0 * math.pi) ** 2 / ((2.0 * math.pi) ** 2 + decrement.value**2) ** 1.5
     critical = 4.0 * math.pi * decay.natural_frequency_hz.value * mass
-    naive = _scaled(Estimate(decrement.value, decrement.standard_error, decrement.interval), slope, ratio)
+    naive = _scale_estimate(Estimate(decrement.value, decrement.standard_error, decrement.interval), slope, ratio)
     ways = {
         "viscous-and-coulomb": (decay.damping_ratio, decay.damping_coefficient),
-        "logarithmic-decrement": (naive, _scaled(naive, critical, ratio * critical)),
+        "logarithmic-decrement": (naive, _scale_estimate(naive, critical, ratio * critical)),
     }
 
     def at_strut(seen: Estimate) -> Estimate | None:
         if refer is None or not math.isfinite(seen.value):
             return None if refer is None else Estimate(seen.value)
         value, slope = refer(seen.value)
-        return _scaled(seen, slope / seen_at.lever, value / seen_at.lever)
+        return _scale_estimate(seen, slope / seen_at.lever, value / seen_at.lever)
 
-    return tuple(DampingChoice(name, one, seen, at_strut(seen), name == method) for name, (one, seen) in ways.items())
+    return tuple(
+        DampingChoice(name, damping_ratio, seen, at_strut(seen), name == method)
+        for name, (damping_ratio, seen) in ways.items()
+    )
 
 
-def _scaled(one: Estimate, factor: float, value: float) -> Estimate:
+def _scale_estimate(source: Estimate, factor: float, value: float) -> Estimate:
     """Estimate of a quantity whose derivative by another estimate is ``factor`` and whose value is ``value``."""
-    if one.standard_error is None or one.interval is None or not math.isfinite(value):
+    if source.standard_error is None or source.interval is None or not math.isfinite(value):
         return Estimate(value)
-    low, high = (value + factor * (end - one.value) for end in one.interval)
-    return Estimate(value, factor * one.standard_error, (low, high))
+    low, high = (value + factor * (end - source.value) for end in source.interval)
+    return Estimate(value, factor * source.standard_error, (low, high))
 
 
 def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:
@@ -535,10 +542,10 @@ class _AtWheel:
 
     def stiffness_behind(self, seen: float) -> float | None:
         """Stiffness (N/m) of that mass with a damping coefficient (N s/m); None if no damping at the wheel gives it."""
-        found = self.damping_behind(seen)
-        return None if found is None else self.swing(found[0])[1]
+        at_wheel = self.damping_behind(seen)
+        return None if at_wheel is None else self.swing(at_wheel[0])[1]
 
-    def referred(self, seen: float) -> tuple[float, float]:
+    def refer(self, seen: float) -> tuple[float, float]:
         """Damping at the wheel (N s/m) that corresponds to that of one mass (N s/m), and its slope (1).
 
         What falls faster than any damping lets the body fall is referred by the share of the strut in the deflection.
@@ -630,28 +637,30 @@ _MACHINE = 0.005
 """Share of a value that a test machine is off by, at least."""
 
 
-def bench_values(found: Characterisation, rig: Rig, pressure: float | None) -> dict[str, Estimate]:
+def bench_values(measured: Characterisation, rig: Rig, pressure: float | None) -> dict[str, Estimate]:
     """Values that the bench gave for numbers of a rig, by path, SI; those of the tyre at a pressure (Pa).
 
     Intervals hold the slope over the fitted range and the one at the static load, and what a test machine is off by.
     """
-    values, given, used = rig.parameters(), dict[str, Estimate](), {one.source for one in found.replaced}
-    if found.spring is not None and "bench.spring" in used and "strut.spring.rate" in values:
-        given["strut.spring.rate"] = _tested(found.spring.stiffness, found.spring.tangent_stiffness)
-    by_pressure = {to_si(name, "Pa"): result for name, result in found.tyre.items() if f'bench.tyre."{name}"' in used}
+    values, given, used = rig.parameters(), dict[str, Estimate](), {item.source for item in measured.replaced}
+    if measured.spring is not None and "bench.spring" in used and "strut.spring.rate" in values:
+        given["strut.spring.rate"] = _cover_readings(measured.spring.stiffness, measured.spring.tangent_stiffness)
+    by_pressure = {
+        to_si(name, "Pa"): result for name, result in measured.tyre.items() if f'bench.tyre."{name}"' in used
+    }
     tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
     if tyre is not None and "tyre.stiffness" in values:
-        given["tyre.stiffness"] = _tested(tyre.stiffness, tyre.tangent_stiffness)
-    for at_strut in (choice.at_strut for choice in found.damping_choices if choice.is_used):
+        given["tyre.stiffness"] = _cover_readings(tyre.stiffness, tyre.tangent_stiffness)
+    for at_strut in (choice.at_strut for choice in measured.damping_choices if choice.is_used):
         is_used = "bench.decay" in used and at_strut is not None and math.isfinite(at_strut.value)
         if at_strut is not None and is_used and "strut.damper.coefficient" in values:
-            given["strut.damper.coefficient"] = _tested(at_strut)
+            given["strut.damper.coefficient"] = _cover_readings(at_strut)
     return given
 
 
-def _tested(*readings: Estimate | None) -> Estimate:
+def _cover_readings(*readings: Estimate | None) -> Estimate:
     """One estimate whose interval holds all readings of a component test."""
-    known = [one for one in readings if one is not None]
-    ends = [end for one in known for end in (one.interval or (one.value, one.value))]
+    known = [reading for reading in readings if reading is not None]
+    ends = [end for reading in known for end in (reading.interval or (reading.value, reading.value))]
     unsure = _MACHINE * abs(known[0].value)
     return Estimate(known[0].value, known[0].standard_error, (min(ends) - unsure, max(ends) + unsure))

@@ -69,7 +69,7 @@ class Bench(Description):
         return tables
 
 
-def _named(value: object) -> object:
+def _as_file_entry(value: object) -> object:
     return {"file": value} if isinstance(value, str) else value
 
 
@@ -85,8 +85,8 @@ class ExcitationFile(InputFile):
     datum: ExcitationDatum = "undeformed"
 
 
-AnInput = Annotated[InputFile | None, BeforeValidator(_named)]
-AnExcitation = Annotated[ExcitationFile | None, BeforeValidator(_named)]
+AnInput = Annotated[InputFile | None, BeforeValidator(_as_file_entry)]
+AnExcitation = Annotated[ExcitationFile | None, BeforeValidator(_as_file_entry)]
 
 
 class TrialEntry(RecordingFormat):
@@ -192,9 +192,9 @@ class Campaign(Description):
                     )
                 )
             names.append(entry.name)
-        for told in self.reference.update if self.reference is not None else ():
-            if told.update not in names:
-                raise ValueError(f"reference names update {told.update!r}; updates: {', '.join(names) or 'none'}")
+        for published in self.reference.update if self.reference is not None else ():
+            if published.update not in names:
+                raise ValueError(f"reference names update {published.update!r}; updates: {', '.join(names) or 'none'}")
         return self
 
 

@@ -33,10 +33,10 @@ def better_exchanged(
     """
     left: dict[tuple[int, int], float] = {}
 
-    def unexplained(record: int, conditions: int) -> float:
+    def residual_of(record: int, conditions: int) -> float:
         key = (record, conditions)
         if key not in left:
-            left[key] = _unexplained(lambda: under(record, conditions))
+            left[key] = _largest_residual(lambda: under(record, conditions))
         return left[key]
 
     findings = []
@@ -44,14 +44,14 @@ def better_exchanged(
         if same(first, second):
             continue
         pairs = ((first, second), (second, first))
-        if all(unexplained(own, other) < _HALF * unexplained(own, own) for own, other in pairs):
-            numbers = {name: 1.0 - unexplained(*pair) for name, pair in zip(("first", "second"), pairs, strict=True)}
+        if all(residual_of(own, other) < _HALF * residual_of(own, own) for own, other in pairs):
+            numbers = {name: 1.0 - residual_of(*pair) for name, pair in zip(("first", "second"), pairs, strict=True)}
             place = f"trials {first} and {second}"
             findings.append(finding("campaign.better_exchanged", place, numbers["first"], **numbers))
     return findings
 
 
-def _unexplained(trial: Callable[[], FitTrial]) -> float:
+def _largest_residual(trial: Callable[[], FitTrial]) -> float:
     """Largest share (1) of a channel's variance that the model leaves; infinite where it cannot be compared."""
     try:
         comparison = compare_trial(trial(), None)[0]

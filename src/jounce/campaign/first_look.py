@@ -111,11 +111,11 @@ def first_look(
     left out.
     """
     set_ups = _set_ups(trials)
-    statistics = [_analysed(_statistics, number, run) for number, run in records.items()]
-    spectra = [_analysed(_spectra, shared) for shared in _one_at_each_pressure(set_ups)]
-    modes = _analysed(_decay_modes, campaign, bench, rig) or []
+    statistics = [_try_analysis(_statistics, number, run) for number, run in records.items()]
+    spectra = [_try_analysis(_spectra, shared) for shared in _one_at_each_pressure(set_ups)]
+    modes = _try_analysis(_decay_modes, campaign, bench, rig) or []
     for shared in set_ups[:_MOST_SETUPS]:
-        modes += _analysed(_free_modes, shared) or []
+        modes += _try_analysis(_free_modes, shared) or []
     return FirstLook(
         tuple(item for item in statistics if item is not None),
         tuple(item for item in spectra if item is not None),
@@ -123,7 +123,7 @@ def first_look(
     )
 
 
-def _analysed(
+def _try_analysis(
     analyse: Callable[_Arguments, _Result], *given: _Arguments.args, **named: _Arguments.kwargs
 ) -> _Result | None:
     try:
@@ -192,7 +192,7 @@ def _end_to_end(shared: Sequence[TrialResult], names: Sequence[str], which: Call
 def _uniform(channels: Mapping[str, Array], units: Mapping[str, str], step: float) -> Measured:
     time = step * np.arange(len(next(iter(channels.values()))))
     return from_recording(
-        recording_of(time, {name: (one, units[name], "") for name, one in channels.items()}), "trials"
+        recording_of(time, {name: (values, units[name], "") for name, values in channels.items()}), "trials"
     )
 
 
@@ -206,7 +206,7 @@ def _free_modes(shared: Sequence[TrialResult]) -> list[ComparedMode]:
     assert shared[0].motion is not None
     numbers = tuple(trial.entry.number for trial in shared)
     rig = shared[0].motion.rig
-    measured, simulated = (_fitted(_free_parts(shared, which), rig) for which in _READINGS.values())
+    measured, simulated = (_fit_modes(_free_parts(shared, which), rig) for which in _READINGS.values())
     if measured is None:
         return []
     theirs = () if simulated is None else simulated.modes
@@ -225,8 +225,8 @@ def _free_modes(shared: Sequence[TrialResult]) -> list[ComparedMode]:
     ]
 
 
-def _fitted(run: Measured, rig: Rig) -> FittedModes | None:
-    return _analysed(fit_modes, run, decay=True, rig=rig, count=2)
+def _fit_modes(run: Measured, rig: Rig) -> FittedModes | None:
+    return _try_analysis(fit_modes, run, decay=True, rig=rig, count=2)
 
 
 def _free_parts(shared: Sequence[TrialResult], which: Callable[[Signals], Array]) -> Measured:

@@ -136,16 +136,16 @@ def campaign_from_folder(
 def _settings_of(source: Path, given: Path | str | None) -> Path:
     if given is not None:
         return Path(given)
-    found = [file for file in sorted(source.glob("*.toml")) if "jounce.laboratory/" in file.read_text(errors="replace")]
-    if len(found) != 1:
+    files = [file for file in sorted(source.glob("*.toml")) if "jounce.laboratory/" in file.read_text(errors="replace")]
+    if len(files) != 1:
         raise DescriptionError(
-            "no settings of the laboratory" if not found else "several settings of a laboratory",
+            "no settings of the laboratory" if not files else "several settings of a laboratory",
             where=str(source),
-            found=", ".join(file.name for file in found) or None,
+            found=", ".join(file.name for file in files) or None,
             allowed='one TOML file with schema = "jounce.laboratory/1", or --settings FILE',
             hint="It states both masses, the obstacle, the belt and the channels of the card.",
         )
-    return found[0]
+    return files[0]
 
 
 class _Maker:
@@ -169,7 +169,7 @@ class _Maker:
             if item.kind == "unknown":
                 self._note("campaign.file_left_out", item.file.name, why=item.why)
             elif item.doubt:
-                self._note(self._doubted(item), item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
+                self._note(self._doubt_code(item), item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
 
     def _note(self, code: str, place: str, value: float | None = None, **numbers: Any) -> None:
         self.findings.append(finding(code, place, value, **numbers))
@@ -177,7 +177,7 @@ class _Maker:
     def _of(self, kind: str) -> list[RecognisedFile]:
         return [item for item in self.files if item.kind == kind and item.file not in self.left_out]
 
-    def _doubted(self, item: RecognisedFile) -> str:
+    def _doubt_code(self, item: RecognisedFile) -> str:
         """Code of the finding about a file that could be of two kinds; it is left out where other tests are certain."""
         sure = [other for other in self.files if other.kind == item.kind and not other.doubt]
         if item.kind not in ("spring", "tyre") or not sure:
@@ -259,36 +259,36 @@ class _Maker:
         table.pop("measures")
         for item in self._of("calibration"):
             if column in [label.partition(" [")[0] for label in item.columns.values()]:
-                table |= self._calibrated(item, column, channel)
+                table |= self._calibrate(item, column, channel)
         return table
 
-    def _calibrated(self, item: RecognisedFile, column: str, channel: CardChannel) -> dict[str, Any]:
+    def _calibrate(self, item: RecognisedFile, column: str, channel: CardChannel) -> dict[str, Any]:
         """Sensitivity and doubt of a calibration in place of those on the sensor's label."""
         try:
-            found: Calibration = read_calibration(item.file)
+            calibration: Calibration = read_calibration(item.file)
         except JounceError as error:
             self._note("campaign.stated_sensitivity_used", item.file.name, error=error)
             return {}
         unit = channel_unit(channel.measures)
-        if found.quantity_unit != unit:
+        if calibration.quantity_unit != unit:
             self._note(
                 "campaign.calibrates_another_quantity",
                 item.file.name,
-                unit=found.quantity_unit,
+                unit=calibration.quantity_unit,
                 column=column,
                 channel=channel.measures,
             )
             return {}
-        self.findings += found.findings
-        size = abs(found.sensitivity.value)
+        self.findings += calibration.findings
+        size = abs(calibration.sensitivity.value)
         if channel.sensitivity:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
                 share = size / stated - 1.0
                 self._note("campaign.calibration_differs", item.file.name, share, share=share, column=column)
-        if found.sensitivity.value < 0.0:
+        if calibration.sensitivity.value < 0.0:
             self._note("campaign.falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
-        table = found.sensor()
+        table = calibration.sensor()
         if channel.high_pass is not None:  # behind AC coupling a calibration's zero is none of the record
             del table["zero"]
         return table
@@ -376,7 +376,7 @@ class _Maker:
     # trials -----------------------------------------------------------------------------------------------------------
 
     def _trials(self) -> Iterator[dict[str, Any]]:
-        fitted = self._fitted()
+        fitted = self._trials_to_fit()
         records = self._records()
         for number, row in self.rows.items():
             item = records.get(number)
@@ -424,7 +424,7 @@ class _Maker:
         """The record of each number; of several the first by name."""
         return {item.number: item for item in reversed(self._of("trial")) if item.number is not None}
 
-    def _fitted(self) -> set[int]:
+    def _trials_to_fit(self) -> set[int]:
         """Trials of a single obstacle at the setting that most have: the slowest, a middle one and the fastest."""
         single = [row for row in self.rows.values() if row.pitch is None and row.speed is not None]
         settings = Counter((row.angle, row.pressure) for row in single)

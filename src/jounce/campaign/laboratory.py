@@ -169,7 +169,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     """
     file = Path(path)
     rows, head = _table_of(file)
-    places = _headed(rows[head])
+    places = _headings_in(rows[head])
     if head + 1 < len(rows) and _are_units(rows[head + 1], places):
         head += 1
         places = {name: (i, rows[head][i].strip() or unit) for name, (i, unit) in places.items()}
@@ -193,7 +193,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
 def unread_headings(path: Path | str) -> list[str]:
     """Headings of a table of trials that jounce does not read."""
     rows, head = _table_of(Path(path))
-    read = {i for i, _ in _headed(rows[head]).values()}
+    read = {i for i, _ in _headings_in(rows[head]).values()}
     return [cell.strip() for i, cell in enumerate(rows[head]) if cell.strip() and i not in read]
 
 
@@ -209,18 +209,18 @@ def is_table_of_trials(path: Path | str) -> bool:
 def _table_of(file: Path) -> tuple[list[list[str]], int]:
     """Cells of a table of trials, and the row of its headings."""
     rows = _cells(file)
-    head = next((i for i, row in enumerate(rows) if {"number", "speed"} <= _headed(row).keys()), None)
+    head = next((i for i, row in enumerate(rows) if {"number", "speed"} <= _headings_in(row).keys()), None)
     if head is None:
         raise RecordingError(
             "no table of trials: columns for the number and the speed are not named",
             where=str(file),
-            found=", ".join(cell for cell in max(rows, key=_filled) if cell) if rows else "nothing",
+            found=", ".join(cell for cell in max(rows, key=_count_cells) if cell) if rows else "nothing",
             allowed="trial, speed [m/s], angle [deg], pressure [MPa], profile, pitch [m]",
         )
     return rows, head
 
 
-def _filled(row: Sequence[str]) -> int:
+def _count_cells(row: Sequence[str]) -> int:
     return sum(bool(cell.strip()) for cell in row)
 
 
@@ -246,7 +246,7 @@ def _are_units(row: Sequence[str], places: dict[str, tuple[int, str]]) -> bool:
     return place < len(row) and is_unit_of(row[place], "m/s")
 
 
-def _headed(row: Sequence[str]) -> dict[str, tuple[int, str]]:
+def _headings_in(row: Sequence[str]) -> dict[str, tuple[int, str]]:
     """Column and unit of each heading of a row that names some; a symbol alone is a heading, too."""
     headings: dict[str, tuple[int, str]] = {}
     for i, cell in enumerate(row):

@@ -134,8 +134,8 @@ def compare_campaign_models(
     --------
     >>> import tempfile
     >>> from jounce.campaign import new_campaign
-    >>> found = compare_campaign_models(new_campaign(tempfile.mkdtemp() + "/mine"))
-    >>> len(found.models), found.models[0].aic
+    >>> choice = compare_campaign_models(new_campaign(tempfile.mkdtemp() + "/mine"))
+    >>> len(choice.models), choice.models[0].aic
     (4, 0.0)
     """
     runner, _, start = prepared_campaign(path, progress)
@@ -145,7 +145,10 @@ def compare_campaign_models(
     if strategy and strategy not in entries:
         raise unknown(strategy, entries, what="update", where=f"{path}: strategy")
     entry = entries[strategy] if strategy else list(entries.values())[-1]
-    done = {one.update.name: one for one in runner.update_all(start, [entry.start_from] if entry.start_from else [])}
+    done = {
+        result.update.name: result
+        for result in runner.update_all(start, [entry.start_from] if entry.start_from else [])
+    }
     knowledge = done[entry.start_from].knowledge if entry.start_from in done else start
     plain = entry.model_copy(update={"start_from": None, "tyre_law": "as-rig"})
     rows: list[tuple[ModelRow, float, float]] = []
@@ -153,7 +156,7 @@ def compare_campaign_models(
     for model in _models(runner, knowledge, plain):
         progress(f"{entry.name}: {model.name}")
         try:
-            rows.append(_fitted(runner, model))
+            rows.append(_fit_model(runner, model))
         except JounceError as error:
             findings.append(finding("campaign.model_left_out", model.name, error=error))
     if not rows:
@@ -192,7 +195,7 @@ _RELATIVE = "20 %"
 """Bounds of each coefficient of the measured tyre curve: what rolling and standing tyres differ by."""
 
 
-def _fitted(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
+def _fit_model(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
     """Fit one model on the trials of its update and hold it against the others; also AIC and BIC themselves."""
     knowledge, chosen, trials, settings = runner.set_up(model.entry, model.knowledge, {})
     if not trials:
@@ -212,13 +215,13 @@ def _fitted(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
         if comparison is not None:
             seen[number in fitted].append(comparison)
             if number in fitted:
-                residuals += [one.measured - one.simulated for one in signals.values()]
+                residuals += [signal.measured - signal.simulated for signal in signals.values()]
     aic, bic = _criteria(residuals, len(free), result)
     least = {
-        key: min((channel.r2 for one in found for channel in one.channels.values()), default=None)
-        for key, found in seen.items()
+        key: min((channel.r2 for part in comparisons for channel in part.channels.values()), default=None)
+        for key, comparisons in seen.items()
     }
-    holds = sum(one.verdict == "holds" for one in seen[False])
+    holds = sum(judged.verdict == "holds" for judged in seen[False])
     left = result.objective_after / max(result.objective_before, 1e-300)
     row = ModelRow(model.name, len(free), aic, bic, left, least[True], least[False], holds, len(seen[False]))
     return row, aic, bic
@@ -227,9 +230,9 @@ def _fitted(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
 def _criteria(residuals: list[np.ndarray], parameters: int, result: UpdateResult) -> tuple[float, float]:
     """AIC and BIC of residuals by channel: each has a variance of its own, and counts its independent samples."""
     likelihood = count = 0.0
-    for one in residuals:
-        independent = len(one) / correlation_time(one)
-        likelihood += independent * math.log(max(float(one @ one) / len(one), 1e-300))
+    for residual in residuals:
+        independent = len(residual) / correlation_time(residual)
+        likelihood += independent * math.log(max(float(residual @ residual) / len(residual), 1e-300))
         count += independent
     unknowns = parameters + len(residuals) + len(result.lags)
     return likelihood + 2.0 * unknowns, likelihood + math.log(max(count, 2.0)) * unknowns

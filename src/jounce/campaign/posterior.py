@@ -125,8 +125,8 @@ def reported_posterior(
     for module in ("emcee", "arviz_stats.base"):
         require(module, "posterior")
     options: dict[str, Any] = {"draws": draws, "seed": seed, "noise_only": noise_only, "progress": progress}
-    found = campaign_posterior(path, strategy, **options)
-    return CampaignPosterior(found, load_campaign(path)[0])
+    posterior = campaign_posterior(path, strategy, **options)
+    return CampaignPosterior(posterior, load_campaign(path)[0])
 
 
 def campaign_posterior(
@@ -249,8 +249,8 @@ def campaign_next_trials(
     >>> import tempfile
     >>> from jounce.campaign import new_campaign
     >>> file = new_campaign(tempfile.mkdtemp() + "/mine")
-    >>> found = campaign_next_trials(file, speeds=["1 m/s", "2 m/s", "3 m/s"], count=1)
-    >>> len(found.candidates), found.candidates[0].gain > 0.0
+    >>> ranking = campaign_next_trials(file, speeds=["1 m/s", "2 m/s", "3 m/s"], count=1)
+    >>> len(ranking.candidates), ranking.candidates[0].gain > 0.0
     (6, True)
     """
     runner, _, start = prepared_campaign(path, progress)
@@ -258,8 +258,8 @@ def campaign_next_trials(
     candidates, lost = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
     basis = update_with_density(trials, free, settings, progress).basis
     progress(Phrase("{name}: {count} trials that could be run", name=settings.name, count=len(candidates)))
-    found = next_trials(basis, candidates, count=count)
-    return replace(found, findings=(*found.findings, *lost))
+    ranking = next_trials(basis, candidates, count=count)
+    return replace(ranking, findings=(*ranking.findings, *lost))
 
 
 def _prepared_update(
@@ -276,8 +276,8 @@ def _prepared_update(
     while name is not None:
         before.append(name)
         name = entries[name].start_from
-    done: dict[str, StrategyResult] = {one.update.name: one for one in runner.update_all(start, before)}
-    problems = [one for one in runner.findings if one.severity == "problem"]
+    done: dict[str, StrategyResult] = {item.update.name: item for item in runner.update_all(start, before)}
+    problems = [item for item in runner.findings if item.severity == "problem"]
     if len(done) < len(before) and problems:
         raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
     knowledge, _, trials, settings = runner.set_up(entry, start, done)
@@ -316,11 +316,11 @@ def _candidates(
     else:
         chosen = [positive_si(v, "m/s", where="speeds") for v in speeds]
     entries = runner.campaign.trial
-    angles: list[float | None] = list(dict.fromkeys(one.strut_angle for one in entries))
+    angles: list[float | None] = list(dict.fromkeys(entry.strut_angle for entry in entries))
     angles.sort(key=lambda angle: angle is None)  # which may be one of the others
     if strut_angles is not None:
         angles = [to_si(v, "rad", where="strut_angles") for v in strut_angles]
-    pressures: list[float | None] = list(dict.fromkeys(one.tyre_pressure for one in entries))
+    pressures: list[float | None] = list(dict.fromkeys(entry.tyre_pressure for entry in entries))
     if tyre_pressures is not None:
         pressures = [to_si(v, "Pa", where="tyre_pressures") for v in tyre_pressures]
     count = len(names) * len(chosen) * len(angles) * len(pressures)
@@ -330,7 +330,7 @@ def _candidates(
         )
     duration = max(float(item.measured["time"][-1]) for item in runner.loaded.values())
     sensors = next(iter(runner.sensors.values()), runner.campaign.sensors)
-    found: list[Candidate] = []
+    candidates: list[Candidate] = []
     lost: dict[str, list[str]] = {}
     for road, speed, angle, pressure in product(names, chosen, angles, pressures):
         words = [f"{road} at {speed:.4g} m/s"]
@@ -343,10 +343,10 @@ def _candidates(
         except JounceError as error:
             lost.setdefault(error.message(), []).append(name)
             continue
-        if any(one.trial == trial and one.rig == rig for one in found):
+        if any(other.trial == trial and other.rig == rig for other in candidates):
             continue
         if trial.obstacle_end() < duration:
-            found.append(Candidate(name, rig, trial, sensors))
+            candidates.append(Candidate(name, rig, trial, sensors))
         else:
             late = f"obstacles end after the {duration:.4g} s that were recorded: drive faster, or record longer."
             lost.setdefault(late, []).append(name)
@@ -356,6 +356,6 @@ def _candidates(
         else finding("campaign.left_out", each[0], error=why)
         for why, each in lost.items()
     ]
-    if not found:
+    if not candidates:
         raise FitError("none of the trials can be run", where="candidates", found=str(left_out[0]))
-    return found, left_out
+    return candidates, left_out

@@ -117,11 +117,11 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
     files = sorted(file for file in place.iterdir() if file.is_file() and not file.name.startswith("."))
     if not files:
         raise RecordingError("the folder is empty", where=str(place))
-    items = [recognised(file, settings) for file in files]
-    return _numbered(items, _numbers_of([item.file for item in items if item.kind == "table of trials"]))
+    items = [recognise_file(file, settings) for file in files]
+    return _number_trials(items, _numbers_of([item.file for item in items if item.kind == "table of trials"]))
 
 
-def recognised(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
+def recognise_file(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
     """Recognise the kind of one file; see :func:`recognise`."""
     if file.suffix == ".toml":
         text = file.read_text(encoding="utf-8", errors="replace")
@@ -224,7 +224,7 @@ def _of_signals(file: Path, seconds: Array, signals: list[Column], settings: Lab
     moving = [column for column in signals if column not in pulses]
     if moving and all(_falls(column.values) for column in moving):
         why = f"{', '.join(column.label for column in moving)} swings and falls"
-        channel = _measured(moving[0].name, settings)
+        channel = _measured_channel(moving[0].name, settings)
         known = {} if channel is None or channel == moving[0].name else {channel: moving[0].label}
         return RecognisedFile(file, "decay", why, known, doubt="" if not pulses else "a trial: it has pulses")
     why = f"{len(moving)} signals over {seconds[-1] - seconds[0]:.3g} s"
@@ -249,7 +249,7 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
     if length.name != "displacement":
         columns["displacement"] = length.label
     if force.name != "force" or weight:
-        columns["force"] = f"{_written(force)} [{weight}]" if weight else force.label
+        columns["force"] = f"{_original_heading(force)} [{weight}]" if weight else force.label
     named = _by_name(file.stem)
     by_rate: Kind = "tyre" if abs(rate) > _STIFF else "spring"
     pressure = _pressure(file.stem)
@@ -262,7 +262,7 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
     return RecognisedFile(file, kind, how, columns, pressure=pressure, doubt=doubt)
 
 
-def _written(column: Column) -> str:
+def _original_heading(column: Column) -> str:
     """The heading as the file has it, unit and all."""
     return column.written or column.label
 
@@ -281,7 +281,7 @@ def _pressure(stem: str) -> float | None:
     return float(f"0.{bare[1]}") * 1e6 if bare else None
 
 
-def _measured(column: str, settings: Laboratory | None) -> str | None:
+def _measured_channel(column: str, settings: Laboratory | None) -> str | None:
     channels = {} if settings is None else settings.channels
     return next((channel.measures for name, channel in channels.items() if name == column), None)
 
@@ -329,7 +329,7 @@ def _numbers_of(tables: list[Path]) -> set[int]:
         return set()
 
 
-def _numbered(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
+def _number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
     """Give trials the number in their names: the place that has most numbers of the table, or most different ones.
 
     Places count from either end of a name; of several alike the last in the name is taken.

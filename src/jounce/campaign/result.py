@@ -185,13 +185,13 @@ def _trial(trial: TrialResult) -> dict[str, Any]:
     }
 
 
-def _belt(found: TrialOnBelt) -> dict[str, Any]:
-    passages = found.passages
+def _belt(on_belt: TrialOnBelt) -> dict[str, Any]:
+    passages = on_belt.passages
     return {
-        "noted_speed": found.noted,
-        "pulse_speed": found.pulses,
-        "speed": found.speed,
-        "slip": found.slip,
+        "noted_speed": on_belt.noted,
+        "pulse_speed": on_belt.pulses,
+        "speed": on_belt.speed,
+        "slip": on_belt.slip,
         "passages": list(passages.times),
         "period": passages.period,
         "repeatability": passages.repeatability,

@@ -18,9 +18,9 @@ from jounce.campaign.belt import (
     Belt,
     TrialOnBelt,
     common_speed_errors,
-    exchanged,
+    exchanged_trials,
     loop_length,
-    placed,
+    place_trial,
     with_recurrence,
 )
 from jounce.campaign.characterise import (
@@ -418,7 +418,7 @@ class Runner:
                 continue
             name = f"trial {number}"
             try:
-                trial, facts, findings = placed(
+                trial, facts, findings = place_trial(
                     self.fit_trial(item, knowledge), item.entry.speed, item.entry.passage, item.pulses
                 )
             except ObstacleNotFoundError as error:
@@ -449,7 +449,7 @@ class Runner:
             if is_in_doubt:
                 self.loaded.clear()
                 return
-        self.findings += exchanged(on_belt)
+        self.findings += exchanged_trials(on_belt)
 
     def _measure_belt(self, knowledge: Knowledge) -> None:
         """Find the length of a belt that nobody measured from speeds and passages, and give it to all roads."""
@@ -514,7 +514,7 @@ class Runner:
             knowledge = done[entry.start_from].knowledge
         if entry.tyre_law == "polynomial":
             knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)
-        chosen = self._chosen(entry)
+        chosen = self._trials_of(entry)
         trials = [self.fit_trial(item, knowledge) for item in chosen]
         settings = UpdateSettings(
             name=entry.name,
@@ -552,10 +552,10 @@ class Runner:
         """Give the updates that one builds on, the first of them first."""
         if entry.start_from is None:
             return []
-        earlier = next(one for one in self.campaign.update if one.name == entry.start_from)
+        earlier = next(update for update in self.campaign.update if update.name == entry.start_from)
         return [*self._before(earlier, done), done[earlier.name]]
 
-    def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
+    def _trials_of(self, entry: UpdateEntry) -> list[_Loaded]:
         if entry.trials == "fit":
             return [item for item in self.loaded.values() if item.entry.use == "fit"]
         lost = [number for number in entry.trials if number not in self.loaded]
@@ -572,10 +572,10 @@ class Runner:
                     "compare strategy {which} of {count}: {name}", k, len(strategies), name=strategy.update.name
                 )
             )
-            compared.append(self._compared(strategy))
+            compared.append(self._compare_trials(strategy))
         return compared
 
-    def _compared(self, strategy: StrategyResult) -> StrategyResult:
+    def _compare_trials(self, strategy: StrategyResult) -> StrategyResult:
         lags = strategy.update.lags
         trials = []
         for number, item in self.loaded.items():
@@ -611,10 +611,10 @@ class Runner:
                 trial = trial.with_fields(speed=own.trial.speed)
             item = replace(set_up, trial=trial, measured=own.measured)
             held = self.fit_trial(item, knowledge)
-            return held if trial.road is None else placed(held, None, "all", own.pulses)[0]
+            return held if trial.road is None else place_trial(held, None, "all", own.pulses)[0]
 
-        found = better_exchanged(doubtful, lambda one, other: conditions[one] == conditions[other], under)
-        return [item for item in found if item.place not in known]
+        exchanges = better_exchanged(doubtful, lambda first, other: conditions[first] == conditions[other], under)
+        return [item for item in exchanges if item.place not in known]
 
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
         """Compare a 3-D rig with the quarter car equivalent to it; None for a lumped rig."""
@@ -622,27 +622,27 @@ class Runner:
             return None
         self.progress("compare: lumped model")
         try:
-            found = compare_models(knowledge.rig)
+            comparison = compare_models(knowledge.rig)
             peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             self.findings.append(finding("campaign.lumped_not_compared", "lumped model", error=reason(error)))
             return None
-        return replace(found, peaks=tuple(peaks))
+        return replace(comparison, peaks=tuple(peaks))
 
     def poses(self, trials: list[TrialResult]) -> dict[float | None, xr.Dataset]:
         """Poses over the travel of all trials at each strut angle; none for a lumped rig or if it cannot reach them."""
-        found: dict[float | None, xr.Dataset] = {}
+        sweeps: dict[float | None, xr.Dataset] = {}
         for angle in dict.fromkeys(trial.entry.strut_angle for trial in trials):
             motions = [t.motion for t in trials if t.motion is not None and t.entry.strut_angle == angle]
-            motions = [one for one in motions if isinstance(one.rig, Corner) and "sprung.z" in one.outputs]
+            motions = [motion for motion in motions if isinstance(motion.rig, Corner) and "sprung.z" in motion.outputs]
             if not motions:
                 continue
-            travels = [one.outputs["unsprung.z"] - one.outputs["sprung.z"] for one in motions]
-            low, high = min(float(one.min()) for one in travels), max(float(one.max()) for one in travels)
+            travels = [motion.outputs["unsprung.z"] - motion.outputs["sprung.z"] for motion in motions]
+            low, high = min(float(part.min()) for part in travels), max(float(part.max()) for part in travels)
             grid = np.linspace(min(low, -_LEAST_TRAVEL), max(high, _LEAST_TRAVEL), _POSES)
             with suppress(JounceError):
-                found[angle] = sweep_travel(motions[0].rig, grid, points=True)
-        return found
+                sweeps[angle] = sweep_travel(motions[0].rig, grid, points=True)
+        return sweeps
 
     def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
         entry = item.entry

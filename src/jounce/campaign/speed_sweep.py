@@ -90,7 +90,7 @@ def speed_sweep(
     rows, table = [], np.empty((len(velocity), len(CHANNELS), len(free), 2))
     for i, speed in enumerate(velocity):
         trial = Trial(road=road, speed=float(speed), duration=length)
-        numbers, table[i] = _one(rig, trial, free, output_step)
+        numbers, table[i] = _sweep_point(rig, trial, free, output_step)
         rows.append(numbers)
     obstacle, pitch = (road.of, road.pitch) if isinstance(road, Train) else (road, np.nan)
     span = obstacle.profile().span
@@ -149,7 +149,9 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ..
     return tuple(FreeParameter(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
 
 
-def _one(rig: Rig, trial: Trial, free: tuple[FreeParameter, ...], output_step: float) -> tuple[dict[str, float], Array]:
+def _sweep_point(
+    rig: Rig, trial: Trial, free: tuple[FreeParameter, ...], output_step: float
+) -> tuple[dict[str, float], Array]:
     """Numbers of one run, and sensitivities by channel and parameter (absolute, relative).
 
     Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.
@@ -162,9 +164,9 @@ def _one(rig: Rig, trial: Trial, free: tuple[FreeParameter, ...], output_step: f
     names = [channel.name for channel in problem.trials[0].channels]
     if set(names) != set(_WATCHED):
         raise SimulationError("the rig lacks a signal", where="speed sweep", allowed=", ".join(_WATCHED))
-    found = problem.residuals(np.zeros(len(free)))
-    signal = {name: -found.vector[block] for name, block in zip(names, found.blocks, strict=True)}
-    slopes = {name: -found.jacobian[block] for name, block in zip(names, found.blocks, strict=True)}
+    residuals = problem.residuals(np.zeros(len(free)))
+    signal = {name: -residuals.vector[block] for name, block in zip(names, residuals.blocks, strict=True)}
+    slopes = {name: -residuals.jacobian[block] for name, block in zip(names, residuals.blocks, strict=True)}
     table = np.empty((len(CHANNELS), len(free), 2))
     for i, name in enumerate(CHANNELS):
         table[i, :, 0] = np.sqrt(np.mean(slopes[name] ** 2, axis=0))

@@ -155,7 +155,7 @@ def plan_test(
     )
     return TestSheet(
         laboratory.title,
-        tuple(_predicted(rig, laboratory, row) for row in ordered),
+        tuple(_predict(rig, laboratory, row) for row in ordered),
         tuple(mode.frequency_hz for mode in modes(rig) if mode.frequency_hz > 0.0),
         tuple(values[path] for path in ("sprung.mass", "unsprung.mass") if path in values),
         channels,
@@ -172,7 +172,7 @@ def _rig_of(laboratory: Laboratory, rows: list[TrialRow], file: Path) -> Rig:
     return rig_from_table(tomllib.loads(text), where=str(file))
 
 
-def _predicted(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
+def _predict(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
     """What one trial should show, on a belt that has been running, and what it would teach."""
     rig = rig if row.angle is None else with_strut_angle(rig, row.angle)
     road = _road_of(laboratory, row)
@@ -203,8 +203,8 @@ def _predicted(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
 def _road_of(laboratory: Laboratory, row: TrialRow) -> Road:
     obstacle = laboratory.obstacle
     fields = {"kind": obstacle.shape, "height": obstacle.height, "length": obstacle.length}
-    one = ROADS[obstacle.shape].from_table(fields, where="obstacle")
-    road = one if row.pitch is None else Train(of=one, count=row.count, pitch=row.pitch)
+    single = ROADS[obstacle.shape].from_table(fields, where="obstacle")
+    road = single if row.pitch is None else Train(of=single, count=row.count, pitch=row.pitch)
     return with_recurrence(road, laboratory.belt)
 
 

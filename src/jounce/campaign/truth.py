@@ -193,12 +193,12 @@ class BenchTruth(Description):
         own = {path: value for path, value in changes.items() if not path.startswith("rig.")}
         table = change_table(self, own)
         of_rig = {path.removeprefix("rig."): value for path, value in changes.items() if path.startswith("rig.")}
-        kept = {
+        others = {
             path: value
             for path, value in table["changes"].items()
             if not any(path.startswith((f"{new}.", f"{new}[")) for new in of_rig)
         }
-        return type(self).from_table({**table, "changes": {**kept, **of_rig}})
+        return type(self).from_table({**table, "changes": {**others, **of_rig}})
 
 
 def load_truth(path: Path | str) -> BenchTruth:
@@ -257,20 +257,20 @@ def true_values(
 
     rig = truth.true_rig(first.tyre_pressure)
     rig = rig if first.strut_angle is None else with_strut_angle(rig, first.strut_angle)
-    values, found = rig.parameters(), dict[str, float]()
+    values, known = rig.parameters(), dict[str, float]()
     for path in paths:
         other = path.replace("guide.friction", "guide_friction") if path not in values else path
         other = path.replace("guide_friction", "guide.friction") if other not in values else other
         if other in values:
-            found[path] = values[other]
+            known[path] = values[other]
     if "tyre.stiffness" in paths and rig.tyre.curve is not None:
         run = simulate(rig, trials[0].trial)
-        found["tyre.stiffness"] = _tangent(rig.tyre.curve, float(run["tyre.deflection"][0]))
+        known["tyre.stiffness"] = _tangent(rig.tyre.curve, float(run["tyre.deflection"][0]))
     if "strut.damper.coefficient" in paths and "strut.damper.coefficient" not in values:
-        velocity = np.concatenate([simulate(rig, one.trial)["strut.velocity"].to_numpy() for one in trials])
+        velocity = np.concatenate([simulate(rig, trial.trial)["strut.velocity"].to_numpy() for trial in trials])
         force = rig.strut.damper.forces(velocity)
-        found["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
-    return {path: found[path] for path in paths if path in found}
+        known["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
+    return {path: known[path] for path in paths if path in known}
 
 
 def _tangent(curve: Curve, at: float) -> float:

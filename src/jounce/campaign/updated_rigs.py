@@ -38,24 +38,24 @@ def updated_rigs(
     interval; ``source`` and ``estimated`` are rewritten, and comments on values that changed are dropped.
     """
     return {
-        label: _updated(campaign, text, bench, chain, pressure) for label, pressure in pressures_of(campaign).items()
+        label: _rig_text(campaign, text, bench, chain, pressure) for label, pressure in pressures_of(campaign).items()
     }
 
 
-def _updated(
+def _rig_text(
     campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult], pressure: float | None
 ) -> str:
     name, known = chain[-1].update.name, chain[-1].knowledge
     described = rig_from_table(tomllib.loads(text))
     rig = known.rig_for(None, pressure, {})
     origins = _origins(campaign, bench, chain, pressure, rig)
-    found = tuple(origins)
+    replaced = tuple(origins)
     origin = "synthetic recordings" if campaign.synthetic else "measured and fitted"
     rig = rig.model_copy(
         update={
             "source": f"Campaign {campaign.title!r}, {name} ({origin}); what bears no comment: "
             + (described.source or "no source given"),
-            "estimated": tuple(one for one in described.estimated if not _is_replaced(one, found, rig)),
+            "estimated": tuple(entry for entry in described.estimated if not _is_replaced(entry, replaced, rig)),
         }
     )
     document = tomlkit.parse(updated_text(text, rig))
@@ -74,11 +74,11 @@ def _updated(
     return "\n".join(f"# {in_one_line(line)}" for line in head) + "\n" + without_head(tomlkit.dumps(document))
 
 
-def _is_replaced(name: str, found: Sequence[str], rig: Rig) -> bool:
+def _is_replaced(name: str, origins: Sequence[str], rig: Rig) -> bool:
     """Whether every number that an entry of ``estimated`` stands for was measured or fitted."""
     below = [path for path in rig.parameters() if path == name or path.startswith((f"{name}.", f"{name}["))]
     return bool(below) and all(
-        any(path == one or path.startswith((f"{one}.", f"{one}[")) for one in found) for path in below
+        any(path == origin or path.startswith((f"{origin}.", f"{origin}[")) for origin in origins) for path in below
     )
 
 
@@ -90,14 +90,14 @@ def _origins(
     rig: Rig,
 ) -> dict[str, str]:
     """Where values are from, by path: the bench, and over it one update after the other."""
-    words = dict(_measured(bench, pressure, rig))
+    words = dict(_bench_origins(bench, pressure, rig))
     at = {entry.number: entry.tyre_pressure for entry in campaign.trial}
     laws = {entry.name: entry.tyre_law for entry in campaign.update}
     for strategy in chain:
         name, fitted_at = strategy.update.name, [at[number] for number in strategy.fitted_on]
         if laws[name] == "polynomial":
             words = {path: text for path, text in words.items() if not path.startswith(TYRE_PATHS)}
-            words["tyre.curve"] = f"measured: cubic through the curve of bench.tyre at {_named(pressure)}"
+            words["tyre.curve"] = f"measured: cubic through the curve of bench.tyre at {_pressure_text(pressure)}"
         here = strategy.knowledge.rig_for(None, pressure, {}).parameters()
         for path, p in strategy.update.parameters.items():
             of_tyre = path.startswith(TYRE_PATHS)
@@ -108,9 +108,9 @@ def _origins(
                 interval = "at its bound" if p.at_bound else "no interval"
             else:
                 interval = f"95 % {_range(p.interval, factor)}{_unit(rig, path)} (noise only)"
-            told = strategy.update.discrepancy
-            if told is not None:
-                law = told.parameters[path]
+            discrepancy = strategy.update.discrepancy
+            if discrepancy is not None:
+                law = discrepancy.parameters[path]
                 verdict = "" if law.identified else ", not identified with this model"
                 interval += f"; of the part 95 % {_range(law.interval, factor)}{_unit(rig, path)}{verdict}"
             words[path] = f"fitted: {name}; {interval}"
@@ -122,16 +122,16 @@ def _range(interval: tuple[float, float], factor: float) -> str:
     return " to ".join(f"{factor * end:.6g}" for end in interval)
 
 
-def _measured(bench: Characterisation, pressure: float | None, rig: Rig) -> Iterator[tuple[str, str]]:
-    for one in bench.replaced:
-        if one.source.startswith("bench.tyre"):
-            measured_at = to_si(one.source.split('"')[1], "Pa")
+def _bench_origins(bench: Characterisation, pressure: float | None, rig: Rig) -> Iterator[tuple[str, str]]:
+    for item in bench.replaced:
+        if item.source.startswith("bench.tyre"):
+            measured_at = to_si(item.source.split('"')[1], "Pa")
             if pressure is not None and measured_at != pressure:
                 continue
         spread = (
-            "" if one.standard_error is None else f" +- {1.96 * one.standard_error:.3g}{_unit(rig, one.path)} (95 %)"
+            "" if item.standard_error is None else f" +- {1.96 * item.standard_error:.3g}{_unit(rig, item.path)} (95 %)"
         )
-        yield one.path, f"measured: {one.source}{spread}"
+        yield item.path, f"measured: {item.source}{spread}"
 
 
 def _unit(rig: Rig, path: str) -> str:
@@ -140,5 +140,5 @@ def _unit(rig: Rig, path: str) -> str:
     return "" if unit == "1" else f" {unit}"
 
 
-def _named(pressure: float | None) -> str:
+def _pressure_text(pressure: float | None) -> str:
     return "its pressure" if pressure is None else f"{pressure / 1e6:g} MPa"

@@ -78,9 +78,9 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     import xarray as xr
 
     if isinstance(given, xr.Dataset):
-        return _spelled(given, where)
+        return _respell(given, where)
     if isinstance(given, xr.DataArray) and given.name is not None:
-        return _spelled(given.to_dataset(), where)
+        return _respell(given.to_dataset(), where)
     if not is_table(given):
         raise RecordingError(
             Phrase("{given} is no recording", given=value_or_kind(given)),
@@ -100,7 +100,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     return recording_of(time, channels)
 
 
-def _spelled(run: xr.Dataset, where: str) -> xr.Dataset:
+def _respell(run: xr.Dataset, where: str) -> xr.Dataset:
     """The recording with durations and instants in seconds, and with SI units in jounce's spelling."""
     if "time" in run.coords and run["time"].dtype.kind in "mM":
         seconds = as_samples(run["time"], "s", where=f"{where}: time")

@@ -146,7 +146,7 @@ def electrical_columns(sensors: Mapping[str, Sensor], tables: Iterable[ColumnTab
     return columns
 
 
-def conditioned(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) -> tuple[xr.Dataset, list[Finding]]:
+def condition(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) -> tuple[xr.Dataset, list[Finding]]:
     """Turn voltages, currents and counts into the quantities that their sensors measure.
 
     Parameters

@@ -19,7 +19,7 @@ from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
 from jounce.recordings.carried import as_recording
 from jounce.recordings.clocks import by_clock, is_steady, lower_rate_finding, rate_of
-from jounce.recordings.conditioning import conditioned, electrical_columns
+from jounce.recordings.conditioning import condition, electrical_columns
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
 from jounce.recordings.reader import ReaderOptions, SignalTable
@@ -155,7 +155,7 @@ def read_recording(
         findings += check_channels(own, where=str(file), name_row=table.name_row)
     measured = values
     if new_step is not None:
-        time, values, uneven = _resampled(instants, values, homes, new_step, str(file))
+        time, values, uneven = _resample(instants, values, homes, new_step, str(file))
     else:
         time, values, uneven = _together(instants, values, homes, str(file))
     step = float(time[-1] - time[0]) / (time.size - 1)
@@ -183,7 +183,7 @@ def read_recording(
     for name, rate in rates.items():
         run[name].attrs["recorded_rate"] = rate
     if chains:
-        run, more = conditioned(run, chains, where=str(file))
+        run, more = condition(run, chains, where=str(file))
         findings += more
     run.encoding["source"] = str(file)
     return run, findings
@@ -301,9 +301,9 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
             Phrase("{what} is not positive", what=what), where=where.rpartition(": ")[0], found=f"{step:g} s"
         )
     if step < _SHORTEST_STEP:
-        found, allowed = f"{step:g} s", Phrase("{shortest_step:g} s or more", shortest_step=_SHORTEST_STEP)
+        length, allowed = f"{step:g} s", Phrase("{shortest_step:g} s or more", shortest_step=_SHORTEST_STEP)
         raise RecordingError(
-            Phrase("{what} is too short", what=what), where=where.rpartition(": ")[0], found=found, allowed=allowed
+            Phrase("{what} is too short", what=what), where=where.rpartition(": ")[0], found=length, allowed=allowed
         )
     return step
 
@@ -336,7 +336,7 @@ def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -
     ]
 
 
-def _resampled(
+def _resample(
     instants: Mapping[ColumnTable, Array],
     values: Mapping[str, Array],
     homes: Mapping[str, ColumnTable],
@@ -352,8 +352,8 @@ def _resampled(
         raise RecordingError("the signals have no time in common", where=file)
     wanted = uniform_instants(float(first), float(last), 1.0 / step)
     if wanted.size < FEWEST_SAMPLES:
-        found, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
-        raise RecordingError("too few samples", where=f"{file}: resample", found=found, allowed=allowed)
+        size, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
+        raise RecordingError("too few samples", where=f"{file}: resample", found=size, allowed=allowed)
     resampled: dict[str, Array] = {}
     notes = []
     for table, time in used.items():
@@ -687,15 +687,15 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     [200.0, 201.0]
     """
     if len(dataset.dims) != 1:
-        found = ", ".join(map(str, dataset.dims)) or "none"
-        raise RecordingError("not a table", where="dataset", found=f"dimensions {found}", allowed="one dimension")
+        dimensions = ", ".join(map(str, dataset.dims)) or "none"
+        raise RecordingError("not a table", where="dataset", found=f"dimensions {dimensions}", allowed="one dimension")
     (along,) = dataset.dims
 
-    def headed(name: object) -> str:
+    def heading(name: object) -> str:
         return f"{name} [{dataset[name].attrs.get('units', '1')}]"
 
     names = [name for name, data in {**dataset.coords, **dataset.data_vars}.items() if data.dims == (along,)]
     table = dataset.reset_coords()[[name for name in names if name != along]]
-    frame = table.to_dataframe().rename(columns={name: headed(name) for name in table.data_vars})
-    frame.index.name = headed(along) if along in dataset.coords else str(along)
+    frame = table.to_dataframe().rename(columns={name: heading(name) for name in table.data_vars})
+    frame.index.name = heading(along) if along in dataset.coords else str(along)
     return frame

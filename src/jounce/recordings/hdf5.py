@@ -16,7 +16,7 @@ from jounce.core.types import Array
 _MOST = 5e8  # numbers, 4 GB as doubles: more do not fit a common computer
 
 
-def held_rows(dataset: Any) -> tuple[int, int]:
+def rows_on_disk(dataset: Any) -> tuple[int, int]:
     """Longest axis of an h5py dataset, and the number of its rows that were written, apart from gaps within."""
     _check_kind(dataset)
     shape = dataset.shape
@@ -62,7 +62,7 @@ def _check_kind(dataset: Any) -> None:
         raise RecordingError("the numbers lie in other files", where=where, hint=hint)
     kind = dataset.id.get_type()
     if isinstance(kind, (h5py.h5t.TypeFloatID, h5py.h5t.TypeIntegerID)) and not any(
-        kind == known for known in _known_kinds()
+        kind == known for known in _readable_kinds()
     ):
         what = "numbers of a kind that no program writes: the file is damaged"
         allowed = "integers of up to 8 bytes, floating-point numbers of 2, 4 or 8"
@@ -70,7 +70,7 @@ def _check_kind(dataset: Any) -> None:
 
 
 @cache
-def _known_kinds() -> tuple[Any, ...]:
+def _readable_kinds() -> tuple[Any, ...]:
     from h5py import h5t
 
     kinds = (("IEEE_F", (16, 32, 64)), ("STD_I", (8, 16, 32, 64)), ("STD_U", (8, 16, 32, 64)))
@@ -78,9 +78,9 @@ def _known_kinds() -> tuple[Any, ...]:
     return *(getattr(h5t, name) for name in names), h5t.NATIVE_LDOUBLE
 
 
-def held_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:
+def read_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:
     """Read the written part, with a problem if the dataset announces more."""
-    axis, held = held_rows(dataset)
+    axis, held = rows_on_disk(dataset)
     findings = announcement(dataset.name.lstrip("/"), dataset.shape[axis], held, where) if dataset.shape else []
     across = math.prod(dataset.shape) // max(1, dataset.shape[axis] if dataset.shape else 1)
     check_size(held * across, f"{where}: {dataset.name.lstrip('/')}")

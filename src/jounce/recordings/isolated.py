@@ -51,7 +51,7 @@ def is_possible() -> bool:
 
 def read_isolated(reader: Reader, path: Path, options: ReaderOptions) -> SignalTable:
     """Read a file with one of jounce's own readers in a child; crash, endless work and memory are a RecordingError."""
-    child = _taken()
+    child = _take_child()
     try:
         answer, arrays = child.ask(reader.name, path, options)
     except BaseException:
@@ -85,7 +85,7 @@ class _Child(ChildProcess):
         """Return what the child answers about a file."""
         size = path.stat().st_size
         seconds, memory = TIME + size * TIME_A_BYTE, MEMORY + size * MEMORY_A_BYTE
-        told = {
+        request = {
             "reader": reader,
             "path": str(path),
             "folder": _folder(),
@@ -99,8 +99,8 @@ class _Child(ChildProcess):
         watch.start()
         try:
             self.is_ready = self.is_ready or self.read(1) == _READY
-            self.send(json.dumps(told).encode() + b"\n")
-            return _received(self)
+            self.send(json.dumps(request).encode() + b"\n")
+            return _receive(self)
         except (EOFError, BrokenPipeError, ConnectionError):
             if watch.is_too_large:
                 raise too_much_memory(MemoryError(), str(path), memory) from None
@@ -161,7 +161,7 @@ def _folder() -> str:
 _IDLE: list[_Child] = []
 
 
-def _taken() -> _Child:
+def _take_child() -> _Child:
     """A child that waits, or a new one."""
     with contextlib.suppress(IndexError):
         while True:
@@ -200,21 +200,21 @@ def serve(readers: Sequence[Reader]) -> None:
     answers.write(_READY)
     answers.flush()
     for line in sys.stdin.buffer:
-        told = json.loads(line)
+        request = json.loads(line)
         arrays: list[np.ndarray[Any, Any]] = []
         answer: dict[str, Any] = {}
         try:
-            os.chdir(told["folder"])
-            limit(told["memory"], told["seconds"])
-            answer["signals"] = _plain_signals(_read(readers, told), arrays)
+            os.chdir(request["folder"])
+            limit(request["memory"], request["seconds"])
+            answer["signals"] = _plain_signals(_read(readers, request), arrays)
         except JounceError as error:
             answer, arrays = {"error": _plain_error(error)}, []
         except MemoryError as error:
-            path, memory = told["path"], told["memory"]
+            path, memory = request["path"], request["memory"]
             known = resource_error(error, path) if has_less_than(memory) else too_much_memory(error, path, memory)
             answer, arrays = {"error": _plain_error(known)}, []
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
-            answer, arrays = {"error": _plain_error(unforeseen(error, told["path"], RecordingError))}, []
+            answer, arrays = {"error": _plain_error(unforeseen(error, request["path"], RecordingError))}, []
         os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
         answer["is_last"] = resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
@@ -231,10 +231,10 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
     )
 
 
-def _read(readers: Sequence[Reader], told: Mapping[str, Any]) -> SignalTable:
-    database = None if told["database"] is None else Path(told["database"])
-    reader = next(one for one in readers if one.name == told["reader"])
-    return reader.read(Path(told["path"]), ReaderOptions(told["variable"], told["header"], database))
+def _read(readers: Sequence[Reader], request: Mapping[str, Any]) -> SignalTable:
+    database = None if request["database"] is None else Path(request["database"])
+    reader = next(candidate for candidate in readers if candidate.name == request["reader"])
+    return reader.read(Path(request["path"]), ReaderOptions(request["variable"], request["header"], database))
 
 
 # --- what goes through the pipe
@@ -248,7 +248,7 @@ def _send(stream: IO[bytes], answer: Mapping[str, Any], arrays: list[Any]) -> No
     stream.flush()
 
 
-def _received(child: ChildProcess) -> tuple[dict[str, Any], list[Any]]:
+def _receive(child: ChildProcess) -> tuple[dict[str, Any], list[Any]]:
     size = int.from_bytes(child.read(8), "little")
     answer: dict[str, Any] = json.loads(child.read(size))
     arrays = []
@@ -265,7 +265,7 @@ def _bytes_of(array: Any) -> memoryview:
 
 
 def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
-    def kept(value: Any) -> Any:
+    def pack(value: Any) -> Any:
         return _plain(value, arrays)
 
     plain = {
@@ -273,15 +273,15 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
             {
                 "columns": [
                     [
-                        one.name,
-                        one.unit,
-                        kept(one.values),
-                        one.file,
-                        None if one.fault is None else _plain_error(one.fault),
-                        one.written,
-                        None if one.part is None else [kept(one.part[0]), kept(one.part[1])],
+                        column.name,
+                        column.unit,
+                        pack(column.values),
+                        column.file,
+                        None if column.fault is None else _plain_error(column.fault),
+                        column.written,
+                        None if column.part is None else [pack(column.part[0]), pack(column.part[1])],
                     ]
-                    for one in table
+                    for column in table
                 ],
                 "comments": table.comments,
                 "file": table.file,
@@ -291,16 +291,16 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
             for table in signals.tables
         ],
         "long_names": dict(signals.long_names),
-        "attributes": {name: kept(value) for name, value in signals.attributes.items()},
+        "attributes": {name: pack(value) for name, value in signals.attributes.items()},
         "left_out": signals.left_out,
-        "findings": [to_plain(item) | {"value": kept(item.value)} for item in signals.findings],
+        "findings": [to_plain(item) | {"value": pack(item.value)} for item in signals.findings],
     }
     return {**plain, "arrays": [[array.dtype.str, array.shape] for array in arrays]}
 
 
 def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
-    def found(value: Any) -> Any:
-        return _unpacked(value, arrays)
+    def unpack(value: Any) -> Any:
+        return _unpack(value, arrays)
 
     tables = [
         ColumnTable(
@@ -308,11 +308,11 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
                 Column(
                     name,
                     unit,
-                    found(values),
+                    unpack(values),
                     file,
                     None if fault is None else _error(fault),  # type: ignore[arg-type]
                     written,
-                    None if part is None else (found(part[0]), found(part[1])),
+                    None if part is None else (unpack(part[0]), unpack(part[1])),
                 )
                 for name, unit, values, file, fault, written, part in table["columns"]
             ),
@@ -326,10 +326,10 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
     return SignalTable(
         tables[0],
         plain["long_names"],
-        {name: found(value) for name, value in plain["attributes"].items()},
+        {name: unpack(value) for name, value in plain["attributes"].items()},
         tuple(plain["left_out"]),
         tuple(tables[1:]),
-        tuple(finding_of(item | {"value": found(item["value"])}) for item in plain["findings"]),
+        tuple(finding_of(item | {"value": unpack(item["value"])}) for item in plain["findings"]),
     )
 
 
@@ -351,7 +351,7 @@ def _text(value: Any) -> str:
     return value.decode(errors="replace") if isinstance(value, bytes) else str(value)
 
 
-def _unpacked(value: Any, arrays: list[Any]) -> Any:
+def _unpack(value: Any, arrays: list[Any]) -> Any:
     if not isinstance(value, dict):
         return value
     if "texts" in value:
@@ -369,10 +369,10 @@ _KINDS: dict[str, Callable[..., JounceError]] = {
 
 
 def _plain_error(error: JounceError) -> dict[str, Any]:
-    found = error.found if isinstance(error.found, (str, int, float, type(None))) else show_value(error.found)
-    return {"kind": type(error).__name__, "told": [error.what, error.where, found, error.allowed, error.hint]}
+    value = error.found if isinstance(error.found, (str, int, float, type(None))) else show_value(error.found)
+    return {"kind": type(error).__name__, "parts": [error.what, error.where, value, error.allowed, error.hint]}
 
 
 def _error(plain: Mapping[str, Any]) -> JounceError:
-    what, where, found, allowed, hint = plain["told"]
-    return _KINDS.get(plain["kind"], RecordingError)(what, where=where, found=found, allowed=allowed, hint=hint)
+    what, where, value, allowed, hint = plain["parts"]
+    return _KINDS.get(plain["kind"], RecordingError)(what, where=where, found=value, allowed=allowed, hint=hint)

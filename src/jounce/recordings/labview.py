@@ -45,9 +45,9 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     lines = text.splitlines()
     ends = [i for i, line in enumerate(lines) if line.startswith(_END)]
     if len(ends) != 2 or len(lines) < ends[1] + 3:
-        found = "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
+        contents = "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
         hint = "Write a file for each, or all in one segment." if len(ends) > 2 else "Is the file whole?"
-        raise RecordingError("no table of one segment", where=str(file), found=found, allowed=_ALLOWED, hint=hint)
+        raise RecordingError("no table of one segment", where=str(file), found=contents, allowed=_ALLOWED, hint=hint)
     has_commas = any(line.replace("\t", ",").startswith("Separator,Comma") for line in lines[: ends[0]])
     separator = "," if has_commas else "\t"
     names = _cells(lines[ends[1] + 1].rstrip(separator), separator)
@@ -60,8 +60,8 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     _check_columns(header, clocks, file)
     measured = [i for i in channels if header["Samples"][i] != "0"]
     if others := {header["X_Dimension"][i] for i in measured} - {"", "Time"}:
-        found = ", ".join(sorted(others))
-        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", found=found, allowed="Time")
+        contents = ", ".join(sorted(others))
+        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", found=contents, allowed="Time")
     start, step = (_common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X"))
     units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in channels]
     heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(channels, units, strict=True)]
@@ -144,9 +144,9 @@ def _common(where: str, cells: Sequence[str]) -> float:
 
 
 def _apart(where: str, cells: Iterable[str]) -> RecordingError:
-    found = " and ".join(cells)
+    values = " and ".join(cells)
     hint = "Write a file for each, or bring them onto one clock in LabVIEW (Align and Resample)."
-    return RecordingError("channels begin or step differently", where=where, found=found, allowed=_ALLOWED, hint=hint)
+    return RecordingError("channels begin or step differently", where=where, found=values, allowed=_ALLOWED, hint=hint)
 
 
 def _rows(

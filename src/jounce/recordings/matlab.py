@@ -19,7 +19,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.process_settings import collect_warnings
 from jounce.core.types import Array
-from jounce.recordings.hdf5 import held_part
+from jounce.recordings.hdf5 import read_part
 
 _VALUES = ("data", "values", "value", "signal", "samples", "y")
 _NAMES = ("name", "label", "title", "signalname", "channel")
@@ -59,7 +59,7 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
             raise RecordingError("a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint)
     try:
         with collect_warnings() as warnings:
-            content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
+            content: dict[str, Any] = loadmat(_inflate(path), simplify_cells=True)
         messages = (" ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings)
         findings += [finding("recordings.matlab_warning", str(path), error=text) for text in dict.fromkeys(messages)]
     except NotImplementedError:  # version 7.3 is HDF5
@@ -76,7 +76,7 @@ _HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of
 _MOST_INFLATED = 4_000_000_000  # bytes: the numbers that a recording may have (hdf5._MOST), as doubles
 
 
-def _inflated(path: Path) -> io.BytesIO:
+def _inflate(path: Path) -> io.BytesIO:
     """A file of version 5 with its variables inflated and their announced sizes checked; others unchanged.
 
     scipy accepts a variable before its checksum is read, and reads variables before the end of a file that was cut off.
@@ -266,7 +266,7 @@ def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int
     if item.dtype == h5py.ref_dtype:
         items = [_plain(file[ref], file, findings, where, depth + 1) for ref in np.asarray(item[()]).ravel() if ref]
         return items if kind == b"cell" else _FieldOfStructs(items)
-    values, finding = held_part(item, where)
+    values, finding = read_part(item, where)
     findings.extend(finding)
     return np.asarray(values).T  # MATLAB stores columns first
 

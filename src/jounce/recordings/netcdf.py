@@ -16,7 +16,7 @@ import numpy as np
 from jounce.core.findings import Finding
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
-from jounce.recordings.hdf5 import held_rows, surplus
+from jounce.recordings.hdf5 import rows_on_disk, surplus
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Variable:
     def values(self, rows: int) -> Array:
         """Return the first rows of a vector: unpacked, NaN for gaps; times count from the first one."""
         raw = np.asarray(self.raw(rows)).reshape(-1)
-        values = np.asarray(_unpacked(raw, self.attributes))
+        values = np.asarray(_unpack(raw, self.attributes))
         if values.dtype.kind == "f":
             values = np.where(np.abs(values) == values.dtype.type(_FILLED), np.nan, values)
         if self.unit[1]:
@@ -102,10 +102,10 @@ def _hdf5_variable(variable: Any) -> Variable:
 
     kind, attributes = getattr(variable.dtype, "kind", "O"), _plain_attributes(variable.attrs)
 
-    def held() -> int:
-        return held_rows(variable._h5ds)[1]
+    def count_rows() -> int:
+        return rows_on_disk(variable._h5ds)[1]
 
-    return Variable(variable.dimensions, variable.shape, kind, attributes, held, raw)
+    return Variable(variable.dimensions, variable.shape, kind, attributes, count_rows, raw)
 
 
 def _plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
@@ -143,7 +143,7 @@ _FILLED = 9.9692099683868690e36
 _CODES, _GAPS = ("scale_factor", "add_offset", "_Unsigned", "dtype"), ("_FillValue", "missing_value")
 
 
-def _unpacked(raw: Array, about: Mapping[str, Any]) -> Array:
+def _unpack(raw: Array, about: Mapping[str, Any]) -> Array:
     """Values of packed numbers and gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
     gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
     none = raw.dtype.kind == "f" and all(gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps)
@@ -249,11 +249,11 @@ def _classic(content: bytes, where: str) -> VariableGroup:
         raise ValueError("variables overlap")
     end = max(first + records * step if widths else 0, *(end for _, end in parts))
     findings = surplus(end, size, where) if size - end >= _WORD else []
-    by_name = {variable.name: _placed(variable, content, records, step) for variable in variables}
+    by_name = {variable.name: _variable_at(variable, content, records, step) for variable in variables}
     return VariableGroup(by_name, attributes, {}, tuple(findings))
 
 
-def _placed(variable: _Placed, content: bytes, records: int, step: int) -> Variable:
+def _variable_at(variable: _Placed, content: bytes, records: int, step: int) -> Variable:
     shape = tuple(size for _, size in variable.dimensions[variable.is_record :])
     shape = (records, *shape) if variable.is_record else shape
     stride = step if variable.is_record and records != 1 else variable.kind.itemsize

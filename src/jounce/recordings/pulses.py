@@ -114,7 +114,7 @@ def pulse_speed(
     if per_turn < 1:
         raise RecordingError("not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more")
     seen = edges(at, as_samples(signal, where=where), where=where)
-    marks, is_mark, doubled = _numbered(seen)
+    marks, is_mark, doubled = _number_marks(seen)
     seen, missing = seen[is_mark], int(marks[-1] + 1 - len(marks))
     distance = circumference / per_turn * marks
     mean = float(distance[-1] / (seen[-1] - seen[0]))
@@ -171,7 +171,7 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
     return np.asarray(instants, dtype=float)
 
 
-def _numbered(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
+def _number_marks(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
     """Numbers of the marks that were seen, which of the edges count, and how many were double."""
     usual = float(np.median(np.diff(seen)))
     is_mark = np.ones(len(seen), dtype=bool)

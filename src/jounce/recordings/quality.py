@@ -319,10 +319,10 @@ def clipped_share(values: Array) -> float:
     >>> round(clipped_share(np.clip(np.sin(np.arange(200) * 0.1), -0.9, 0.9)), 3)
     0.225
     """
-    return sum(_clipped(values).values()) / max(values.size, 1)
+    return sum(_clipping_limits(values).values()) / max(values.size, 1)
 
 
-def _clipped(values: Array) -> dict[float, int]:
+def _clipping_limits(values: Array) -> dict[float, int]:
     """Limits at which a record is clipped, with the number of samples there."""
     reached = [float(end) for end in (values.min(), values.max()) if np.count_nonzero(values == end) >= FEWEST_CLIPPED]
     resolution = np.diff(np.unique(values)) if reached else np.empty(0)
@@ -334,7 +334,7 @@ def _clipped(values: Array) -> dict[float, int]:
 
 
 def _clipping(values: Array, at: str) -> list[Finding]:
-    clipped = _clipped(values)
+    clipped = _clipping_limits(values)
     if not clipped:
         return []
     share = sum(clipped.values()) / values.size

@@ -182,12 +182,12 @@ def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
         raise RecordingError(f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)) from None
 
 
-def _named(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:
+def _table_of(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:
     """The columns as a table, with names and units of the header option if given."""
-    return _renamed(ColumnTable(tuple(columns), (), str(path)), options.header)
+    return _rename(ColumnTable(tuple(columns), (), str(path)), options.header)
 
 
-def _renamed(table: ColumnTable, header: str) -> ColumnTable:
+def _rename(table: ColumnTable, header: str) -> ColumnTable:
     if not header:
         return table
     heads = parse_header(header)
@@ -220,7 +220,7 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     if text.startswith(FIRST):
         return _labview(text, path, options)
     return SignalTable(
-        _renamed(columns_in(text, path, len(parse_header(options.header)) if options.header else 0), options.header)
+        _rename(columns_in(text, path, len(parse_header(options.header)) if options.header else 0), options.header)
     )
 
 
@@ -245,7 +245,7 @@ def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
 
 def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
     plain, announced = plain_columns(text, path)
-    table = _renamed(columns_in(plain, path), options.header)
+    table = _rename(columns_in(plain, path), options.header)
     held = len(table.columns[0].values)
     findings = announcement("Samples", announced or 0, held, str(path), refused=False)
     if announced is not None and held > announced:
@@ -270,7 +270,7 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     columns, long_names, remarks = [], dict[str, str](), []
     with _refuse_if_damaged(path, "a netCDF file"), open_netcdf(path) as root:
         groups = dict(root.signals())
-        place, group = _chosen_group(groups, options.variable, path)
+        place, group = _select_group(groups, options.variable, path)
         findings = list(root.findings)
         dimensions = [variable.along for variable in group.variables.values() if variable.along]
         time = group.variables["time"].along if "time" in group.variables else ""
@@ -290,11 +290,11 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
                 remarks.append(finding("recordings.clock", str(path), name=name, unit=unit, since=since))
         left_out = [name for name in group.variables if name not in signals]
         left_out += [name for name in groups if name != place]
-    table = replace(_named(columns, path, options), remarks=tuple(remarks))
+    table = replace(_table_of(columns, path, options), remarks=tuple(remarks))
     return SignalTable(table, long_names, group.attributes, tuple(left_out), findings=tuple(findings))
 
 
-def _chosen_group(groups: Mapping[str, VariableGroup], variable: str, path: Path) -> tuple[str, VariableGroup]:
+def _select_group(groups: Mapping[str, VariableGroup], variable: str, path: Path) -> tuple[str, VariableGroup]:
     if variable or (len(groups) > 1 and "" not in groups):
         if variable not in groups:
             raise RecordingError(
@@ -347,7 +347,7 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
         struct = next(iter(roots)) if len(roots) == 1 else ""
     arrays = {name: matrix.values for name, matrix in matrices.items()}
     heads = parse_header(options.header) if options.header else []
-    chosen = _chosen_matrix(arrays, variable, len(heads), path)
+    chosen = _select_matrix(arrays, variable, len(heads), path)
     lengths = [int(array.shape[0]) for array in arrays.values() if array.shape[0] > 1]
     if chosen:
         rows = arrays[chosen].shape[0]
@@ -388,7 +388,7 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
     )
 
 
-def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
+def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
     """Variable that the header (``width`` names) belongs to; empty without header and variable."""
     sizes = ", ".join(f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1)
     if variable and variable not in arrays:
@@ -683,7 +683,7 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
             columns.append(Column(name, unit, values, str(path), fault, "" if field_.name == name else field_.name))
     if not columns or not table.num_rows:
         raise RecordingError("no rows", where=str(path))
-    return SignalTable(_named(columns, path, options), long_names, attributes, findings=tuple(findings))
+    return SignalTable(_table_of(columns, path, options), long_names, attributes, findings=tuple(findings))
 
 
 _LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked: a full sheet (a million rows) of ten columns has about half
@@ -715,7 +715,7 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
     sheet, mark, area = (options.variable, "", "")
     if sheet not in sheet_rows and "!" in sheet:
         sheet, mark, area = sheet.rpartition("!")
-    title = EXCEL[0] if is_ours else _chosen_sheet(sheet_rows, sheet, path)
+    title = EXCEL[0] if is_ours else _select_sheet(sheet_rows, sheet, path)
     if mark:
         sheet_rows[title] = _within(sheet_rows[title], area, path)
     table = _by_cell(_of_sheet(sheet_rows[title], options.header, path, title), sheet_rows[title], path, title)
@@ -779,10 +779,10 @@ def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> Col
         finding(item.code, item.place, **{**item.numbers, "kind": "row"}) if "kind" in item.numbers else item
         for item in table.remarks
     ]
-    return _renamed(replace(table, remarks=tuple(remarks), place="row"), header)
+    return _rename(replace(table, remarks=tuple(remarks), place="row"), header)
 
 
-def _chosen_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Path) -> str:
+def _select_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Path) -> str:
     if variable:
         if variable not in sheets:
             hint = nearest(variable, sheets)
@@ -960,7 +960,7 @@ def _by_clock(
     timed = [columns for columns in others if columns[0].name == "time"]
     unclear = tuple(column.name for columns in others if columns[0].name != "time" for column in columns)
     return SignalTable(
-        _named(usual, path, options),
+        _table_of(usual, path, options),
         left_out=left_out + unclear,
         others=tuple(ColumnTable(tuple(columns), (), str(path)) for columns in timed),
         findings=findings,

@@ -56,7 +56,7 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
         )
     sensors = {}
     for name, entry in given.items():
-        channel, keys = _measured(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
+        channel, keys = _channel_entry(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
         sensors[channel] = Sensor.from_table(keys, where=str(path), text=text, path=(key, name))
     check_sensors(sensors, f"{path}: {key}")
     for name, sensor in sensors.items():
@@ -73,7 +73,7 @@ def _check_chain(name: str, sensor: Sensor, where: str) -> None:
     range_of(name, sensor, where=where)
 
 
-def _measured(column: str, entry: Any, where: str) -> tuple[str, dict[str, Any]]:
+def _channel_entry(column: str, entry: Any, where: str) -> tuple[str, dict[str, Any]]:
     """Channel that a column of a laboratory's card measures, and the keys of its sensor."""
     if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
         raise DescriptionError(

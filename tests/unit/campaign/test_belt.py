@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from jounce.campaign.belt import TrialOnBelt, common_speed_errors, exchanged, loop_length
+from jounce.campaign.belt import TrialOnBelt, common_speed_errors, exchanged_trials, loop_length
 from jounce.identify.passages import Passages
 
 SPEEDS = {1: 1.95, 2: 2.86, 3: 3.79, 4: 2.03}
@@ -49,12 +49,15 @@ def test_one_wrong_note_is_no_common_error() -> None:
 
 @pytest.mark.parametrize(("first", "second"), [((1.921, 1.95), (1.944, 1.92)), ((3.79, 1.95), (1.95, 3.8))])
 def test_records_exchanged_by_their_speeds(first: tuple[float, float], second: tuple[float, float]) -> None:
-    (said,) = exchanged({1: facts(*first), 9: facts(*second), 2: facts(2.86, 2.86)})
+    (said,) = exchanged_trials({1: facts(*first), 9: facts(*second), 2: facts(2.86, 2.86)})
     assert said.place == "trials 1 and 9"
 
 
 def test_speeds_noted_badly_are_not_exchanged() -> None:
-    assert exchanged({1: facts(1.99, 1.95), 2: facts(2.00, 2.04), 3: facts(1.951, 1.95), 4: facts(1.921, 1.92)}) == []
+    assert (
+        exchanged_trials({1: facts(1.99, 1.95), 2: facts(2.00, 2.04), 3: facts(1.951, 1.95), 4: facts(1.921, 1.92)})
+        == []
+    )
 
 
 def test_the_length_of_a_belt_follows_from_speeds_and_passages() -> None:

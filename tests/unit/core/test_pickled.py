@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import jounce as jn
-from jounce.campaign.characterise import _interpolated, _nearest
+from jounce.campaign.characterise import _interpolate, _nearest
 from jounce.inspection.equivalence import usual_factors
 from jounce.parts.files import library
 
@@ -52,5 +52,5 @@ def test_what_was_asked_of_a_rig_is_not_pickled_with_it() -> None:
 
 
 def test_functions_within_results_are_pickled() -> None:
-    for function in (_nearest, _interpolated, usual_factors()):
+    for function in (_nearest, _interpolate, usual_factors()):
         assert pickle.loads(pickle.dumps(function)) == function

@@ -11,7 +11,7 @@ import pytest
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import RecordingError
 from jounce.recordings import read_recording, readers
-from jounce.recordings.hdf5 import check_size, held_part, held_rows
+from jounce.recordings.hdf5 import check_size, read_part, rows_on_disk
 
 TIME = np.arange(3000) * 0.001
 WAVE = np.sin(TIME * 20.0)
@@ -80,9 +80,9 @@ def test_numbers_of_a_kind_that_no_program_writes(tmp_path: Path) -> None:
             signal[:] = [1, 2, 3, 4]
             if is_refused:
                 with pytest.raises(RecordingError, match="a: numbers of a kind that no program writes"):
-                    held_part(signal, "a.h5")
+                    read_part(signal, "a.h5")
             else:
-                np.testing.assert_array_equal(held_part(signal, "a.h5")[0], [1, 2, 3, 4])
+                np.testing.assert_array_equal(read_part(signal, "a.h5")[0], [1, 2, 3, 4])
 
 
 def test_numbers_that_lie_in_other_files_are_not_read(tmp_path: Path) -> None:
@@ -94,7 +94,7 @@ def test_numbers_that_lie_in_other_files_are_not_read(tmp_path: Path) -> None:
         content.create_virtual_dataset("b", layout)
         for name in ("a", "b"):
             with pytest.raises(RecordingError, match=f"{name}: the numbers lie in other files"):
-                held_part(content[name], "a.h5")
+                read_part(content[name], "a.h5")
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_rows_that_were_written_are_counted(tmp_path: Path, chunks: tuple[int, i
         if held:
             signals[:held] = 1.0
         step = chunks[0] if chunks else 3000
-        assert held_rows(signals) == (0, min(3000, -(-held // step) * step))
-        values, findings = held_part(signals, "a.h5") if held else (np.empty((0, 2)), [])
+        assert rows_on_disk(signals) == (0, min(3000, -(-held // step) * step))
+        values, findings = read_part(signals, "a.h5") if held else (np.empty((0, 2)), [])
         assert values.shape == (min(3000, -(-held // step) * step), 2)
         assert [found.value for found in findings] == [float(len(values))] * (0 < len(values) < 3000)

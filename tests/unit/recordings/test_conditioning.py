@@ -11,7 +11,7 @@ from scipy import signal
 import jounce as jn
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.recordings import Sensor, apply_sensors, conditioning, read_recording, recording
-from jounce.recordings.conditioning import conditioned, range_of, sensitivity_of
+from jounce.recordings.conditioning import condition, range_of, sensitivity_of
 from jounce.recordings.sensors import sections_of
 
 GRAVITY = 9.80665
@@ -160,12 +160,12 @@ def test_an_offset_behind_ac_coupling_is_said() -> None:
     for offset, codes in ((0.5, ["recordings.offset_removed"]), (0.0, [])):
         raw = recording(time, {"sprung.az.voltage": (wave + offset, "V", "")})
         sensor = Sensor(sensitivity="100 mV/(m/s^2)", high_pass=0.5)
-        run, findings = conditioned(raw, {"sprung.az": sensor}, where="a.csv")
+        run, findings = condition(raw, {"sprung.az": sensor}, where="a.csv")
         assert [item.code for item in findings] == codes
         assert float(run["sprung.az"].mean()) == pytest.approx(0.0, abs=1e-9)
         for item in findings:
             assert item.value == pytest.approx(5.0, rel=1e-6)
-        stated, findings = conditioned(raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv")
+        stated, findings = condition(raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv")
         assert findings == []
         assert float(stated["sprung.az"].mean()) == pytest.approx(10.0 * offset, abs=1e-9)
 
@@ -178,7 +178,7 @@ def test_uneven_time_is_refused_before_a_chain_takes_it_for_even() -> None:
         apply_sensors(run, {"sprung.az": Sensor(low_pass="50 Hz")})
     raw = recording(time, {"sprung.az.voltage": (np.sin(time), "V", "")})
     with pytest.raises(RecordingError, match=r"jitters by 40 %.*resample"):
-        conditioned(raw, {"sprung.az": Sensor(sensitivity="1 V/g")}, where="a.csv")
+        condition(raw, {"sprung.az": Sensor(sensitivity="1 V/g")}, where="a.csv")
 
 
 def test_a_range_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
