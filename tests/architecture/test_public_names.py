@@ -11,6 +11,7 @@ import pytest
 
 import jounce
 from jounce.core.findings import Finding
+from jounce.identify.discrepancy import NuisanceEstimate
 from jounce.recordings.sensors import Sensor
 from rules import ROOT, modules, packages_below
 
@@ -89,3 +90,5 @@ def test_old_methods_work_and_say_the_new_one() -> None:
         assert finding.said("de") == "as it was"
     with pytest.warns(DeprecationWarning, match="Description.changed is called with_fields now"):
         assert Sensor(gain=2.0).changed(gain=3.0) == Sensor(gain=3.0)
+    with pytest.warns(DeprecationWarning, match="NuisanceEstimate.moved is called deviations now"):
+        assert NuisanceEstimate("speed", "1", 1.0, 0.5, 2.0, 0.1).moved == 2.0

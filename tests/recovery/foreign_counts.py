@@ -109,7 +109,7 @@ def updated(bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[
         "left": found.objective_after,
         "unexplained": max(counts.unexplained.values()),
         "findings": [[one.place, one.severity, one.message] for one in found.findings],
-        "nuisances": {name: one.moved for name, one in counts.nuisances.items() if abs(one.moved) > 1.5},
+        "nuisances": {name: one.deviations for name, one in counts.nuisances.items() if abs(one.deviations) > 1.5},
         "parameters": parameters,
     }
 

@@ -180,7 +180,7 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         start=true,
     )
     state = _State(
-        np.array([item.scaled(true[item.path]) for item in free]),
+        np.array([item.scale(true[item.path]) for item in free]),
         draw.standard_normal(len(one.nuisances)),
         draw.standard_normal((trials, len(one.own))),
         np.zeros(trials),
@@ -194,11 +194,11 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         seen.append(states)
         signals = {}
         for channel, size in zip(run.channels, (0.15, 0.8), strict=True):
-            reading = run.prepared.table(one._sensed(channel, state.xi), solution)[:, 0]
+            reading = run.prepared.table(one._doubtful_channel(channel, state.xi), solution)[:, 0]
             signals[channel.name] = (reading + size * draw.standard_normal(len(reading)), "m/s^2", "")
         fits.append(replace(trial, measured=recording(trial.measured["time"].to_numpy(), signals)))
     laws, run = Laws(one.richer, seen), one.runs[0]
-    numbers = one.richer.plain(run.values, run.fitted(state.theta), state.xi)
+    numbers = one.richer.plain(run.values, run.fitted_values(state.theta), state.xi)
     presliding = one.value("presliding", state.xi)
     both = {path: laws.readings(path, numbers, state.xi, presliding) for path in FREE}
     component, effective = ({path: pair[k] for path, pair in both.items()} for k in (0, 1))

@@ -24,7 +24,7 @@ from jounce.identify.damper_record import VelocityFrom
 from jounce.identify.damper_result import DamperCurve, DamperResult
 from jounce.identify.decay import CombinedDecay, DecayResult, Drag, combine_decays, fit_decay
 from jounce.identify.force_deflection import Branch, ForceDeflectionTrial
-from jounce.identify.motion import MOTIONS, QUANTITY_OF_UNIT, MeasuredMotion, motion_of, spoken
+from jounce.identify.motion import MOTIONS, QUANTITY_OF_UNIT, MeasuredMotion, motion_of, unit_in_words
 from jounce.identify.motion import Quantity as MotionQuantity
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive, sign_of
 from jounce.identify.stiffness import Intercept, Law, StiffnessResult, fit_stiffness
@@ -611,13 +611,15 @@ def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:
         raise OutputError(
             "the part has no such rate",
             where="--part",
-            found=f"{spoken(motion.stiffness)} for {part}",
+            found=f"{unit_in_words(motion.stiffness)} for {part}",
             allowed=Phrase(
-                "a part in {stiffness}; this one is in {takes}", stiffness=spoken(motion.stiffness), takes=spoken(takes)
+                "a part in {stiffness}; this one is in {takes}",
+                stiffness=unit_in_words(motion.stiffness),
+                takes=unit_in_words(takes),
             ),
         )
     text = changed_text(rig_path(rig).read_text(encoding="utf-8"), described, {part: rate.value})
     low, high = rate.interval or (rate.value, rate.value)
-    unit = spoken(motion.stiffness)
+    unit = unit_in_words(motion.stiffness)
     doubt = f"95 % interval {low:.6g} to {high:.6g} {unit}" if rate.interval else "interval unknown"
     return f"# {part}: {rate.value:.6g} {unit}, {doubt}; {source}\n{text}"

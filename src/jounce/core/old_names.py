@@ -1,4 +1,4 @@
-"""Renamed public names and methods: the old ones still work, and warn what to write instead."""
+"""Renamed public names, methods and properties: the old ones still work, and warn what to write instead."""
 
 from __future__ import annotations
 
@@ -43,3 +43,13 @@ def old_method(old: str, new: str) -> Any:
 
     call.__doc__ = f"Call ``{new}``, the current name of this method, with a warning."
     return call
+
+
+def old_property(old: str, new: str) -> Any:
+    """Return a property that gives the attribute ``new`` of the same object, with a warning."""
+
+    def get(self: Any) -> Any:
+        warnings.warn(f"{old} is called {new} now", DeprecationWarning, stacklevel=2)
+        return getattr(self, new)
+
+    return property(get)

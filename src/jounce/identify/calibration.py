@@ -253,7 +253,9 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
         if name not in words:
             raise unknown(name, words, what="column of a calibration", where=file)
     reference, recorded = (locate(table, given[name]) if name in given else None for name in words)
-    free = [column for column in table if column.name not in {one.name for one in (reference, recorded) if one}]
+    free = [
+        column for column in table if column.name not in {chosen.name for chosen in (reference, recorded) if chosen}
+    ]
     if recorded is None:
         electrical = [column for column in free if _recorded_unit(column)]
         recorded = min(electrical, key=lambda column: _recorded_unit(column) == "1", default=None)
@@ -269,12 +271,12 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
 
 def _unusable(what: str, column: Column | None, table: ColumnTable, file: str, allowed: str) -> FitError:
     """Build the error for a column that is missing or has no unit that fits."""
-    bare = next((one.name for one in ([column] if column else table) if not one.unit), "")
+    bare = next((item.name for item in ([column] if column else table) if not item.unit), "")
     name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
     return FitError(
         Phrase("not a calibration: no column of {what} with its unit", what=what),
         where=file,
-        found=", ".join(one.label for one in ([column] if column else table)),
+        found=", ".join(item.label for item in ([column] if column else table)),
         allowed=Phrase("a unit that is {allowed}", allowed=allowed),
         hint=Phrase("State the unit: --columns {name}='{bare} [{unit}]'.", name=name, bare=bare, unit=unit)
         if bare

@@ -112,8 +112,8 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     fitted = chosen.columns(motion.displacement, motion.velocity, shapes) @ weights
     residual = (motion.force - fitted)[used]
     estimated = estimates(chosen, motion, used, values, residual, free)
-    parameters = {key: one for (key, _), one in zip(names, estimated, strict=True)}
-    plain = {key: one.value for key, one in parameters.items()}
+    parameters = {key: parameter for (key, _), parameter in zip(names, estimated, strict=True)}
+    plain = {key: parameter.value for key, parameter in parameters.items()}
     measured, x = motion.force[used], motion.displacement[used]
     cycles = motion.cycles - (0.5 if chosen.remembers else 0.0)
     closed = closed_part(x)
@@ -195,7 +195,7 @@ def damper_curve(
         odd=all(power % 2 for power in powers),
         friction=result.friction is not None,
     )
-    values = {key: one.value for key, one in result.parameters.items()}
+    values = {key: parameter.value for key, parameter in result.parameters.items()}
     shapes = np.array([values[key] for key, _ in law.shapes])
     weights = np.array([values[key] for key, _ in law.weights])
     fitted = law.columns(motion.displacement, motion.velocity, shapes) @ weights

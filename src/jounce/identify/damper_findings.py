@@ -41,7 +41,7 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
         findings.append(finding(code, name, value, **numbers))
 
     law, parameters = damper_law(result.law, motion), result.parameters
-    shapes = [key for (key, _), is_signed in zip(law.shapes, law.signed, strict=True) if not is_signed]
+    shapes = [key for (key, _), is_signed in zip(law.shapes, law.may_be_negative, strict=True) if not is_signed]
     if not law.hysteretic:
         hysteresis = hysteresis_share(motion)
         # The magneto-rheological records have 8 to 10 %; simulated viscous dampers have 1 % with 5 % noise, 2 % with a
@@ -65,11 +65,13 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
     for key in at_bound:
         value = parameters[key].value
         add("identify.law_at_bound", value, key=key, value=value, unit=result.units[key])
-    for key, one in parameters.items():
-        vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)  # zero is within 95 %
+    for key, parameter in parameters.items():
+        vague = parameter.standard_error is not None and parameter.standard_error > 0.5 * abs(
+            parameter.value
+        )  # zero is within 95 %
         if vague and key in shapes:
-            numbers = {"value": one.value, "error": one.standard_error}
-            add("identify.poorly_determined", one.standard_error, key=key, unit=result.units[key], **numbers)
+            numbers = {"value": parameter.value, "error": parameter.standard_error}
+            add("identify.poorly_determined", parameter.standard_error, key=key, unit=result.units[key], **numbers)
     if result.cycles < 3.0:  # hardly a cycle is neither the first nor the last
         add("identify.few_cycles", result.cycles, cycles=result.cycles)
     if result.r2 < 0.9:  # a line leaves 10 to 16 % of the magneto-rheological records unexplained
@@ -146,18 +148,20 @@ def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
     v = motion.velocity / motion.peak_velocity
     smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])
 
-    def fitted(*more: Array) -> tuple[float, float]:
+    def fit_columns(*more: Array) -> tuple[float, float]:
         columns = np.column_stack([smooth, *more])
-        found = np.linalg.lstsq(columns, motion.force, rcond=None)[0]
-        return float((motion.force - columns @ found).std()), float(found[-1])
+        factors = np.linalg.lstsq(columns, motion.force, rcond=None)[0]
+        return float((motion.force - columns @ factors).std()), float(factors[-1])
 
     sharp = regularisation_velocity(motion)
-    without, (left, step) = fitted()[0], fitted(np.tanh(motion.velocity / sharp))
+    without, (left, step) = fit_columns()[0], fit_columns(np.tanh(motion.velocity / sharp))
     # A choice: lower calls bends of a curve a step, higher misses weak friction; the magneto-rheological damper without
     # current steps by 21 % of its range.
     if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
         return None
     # A knee within twice the regularisation of friction is not told from it.
     knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
-    soft, height, knee = min((*fitted(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp)
+    soft, height, knee = min(
+        (*fit_columns(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp
+    )
     return (height, knee) if soft < 0.9 * left else (step, sharp)  # of two that fit alike, friction

@@ -120,7 +120,7 @@ class FittedLaw:
     remembers: bool = False
 
     @property
-    def signed(self) -> NDArray[np.bool_]:
+    def may_be_negative(self) -> NDArray[np.bool_]:
         """Which shapes may be negative: they are searched on a linear scale."""
         return self.bounds[0] < 0.0
 
@@ -226,16 +226,16 @@ def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArr
     """Best factors of the columns, those that cannot be negative cut at zero; and which of them are free."""
     free = np.ones(columns.shape[1], bool)
     scale = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
-    found = np.zeros(columns.shape[1])
+    factors = np.zeros(columns.shape[1])
     for _ in range(3):
-        found = np.zeros(columns.shape[1])
-        found[free] = np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
-        wrong = [i for i, (key, _) in enumerate(law.weights) if key in law.not_negative and found[i] < 0.0]
+        factors = np.zeros(columns.shape[1])
+        factors[free] = np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
+        wrong = [i for i, (key, _) in enumerate(law.weights) if key in law.not_negative and factors[i] < 0.0]
         if not wrong:
             break
         free[wrong] = False
-        found[wrong] = 0.0
-    return found, free
+        factors[wrong] = 0.0
+    return factors, free
 
 
 def _encode(law: FittedLaw, shapes: Array) -> Array:
@@ -243,7 +243,7 @@ def _encode(law: FittedLaw, shapes: Array) -> Array:
     return np.array(
         [
             value / bound if is_signed else math.log(value)
-            for is_signed, value, bound in zip(law.signed, shapes, law.bounds[1], strict=True)
+            for is_signed, value, bound in zip(law.may_be_negative, shapes, law.bounds[1], strict=True)
         ]
     )
 
@@ -252,7 +252,7 @@ def _decode(law: FittedLaw, coded: Array) -> Array:
     return np.array(
         [
             value * bound if is_signed else math.exp(value)
-            for is_signed, value, bound in zip(law.signed, coded, law.bounds[1], strict=True)
+            for is_signed, value, bound in zip(law.may_be_negative, coded, law.bounds[1], strict=True)
         ]
     )
 
@@ -274,11 +274,11 @@ def search(
         low, high = _encode(law, law.bounds[0]), _encode(law, law.bounds[1])
         starts = [np.clip(_encode(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
         starts.sort(key=lambda start: float((misfit(start) ** 2).sum()))
-        found = [
+        optima = [
             least_squares(misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60)
             for start in starts[:4]
         ]
-        best = min(found, key=lambda one: float(one.cost))
+        best = min(optima, key=lambda optimum: float(optimum.cost))
         shapes = _decode(law, best.x)
         inside = (best.x > low + 1e-3) & (best.x < high - 1e-3)
     columns = law.columns(motion.displacement, motion.velocity, shapes)[used]
@@ -300,7 +300,7 @@ def estimates(
     jacobian = law.columns(motion.displacement, motion.velocity, shapes)[used]
     if len(shapes):
         # what has a sign may be near zero: its step is then a share of its range
-        steps = 1e-3 * np.maximum(np.abs(shapes), 1e-2 * np.where(law.signed, law.bounds[1], 0.0))
+        steps = 1e-3 * np.maximum(np.abs(shapes), 1e-2 * np.where(law.may_be_negative, law.bounds[1], 0.0))
         jacobian = np.column_stack([jacobian, central_differences(force, shapes, steps)])
     known = uncertainty(jacobian[:, free], residual).estimates(values[free])
     remaining = iter(known)

@@ -14,7 +14,7 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
-from jounce.identify.signals import lost_samples, noise_of, quantum_of, zigzag
+from jounce.identify.signals import count_lost_samples, noise_of, quantum_of, zigzag
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, damper_signs, sign_of
 from jounce.recordings.carried import as_recording, clock_of, damper_channels
 from jounce.recordings.quality import clipped_share, frozen_samples
@@ -104,7 +104,7 @@ def read_motion(
         findings.append(finding("identify.velocity_derived", name))
     v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
     findings += [*_out_of_range({"displacement": x, "force": f}, name)]
-    if uses_derivative and (jumps := lost_samples(t, x)):
+    if uses_derivative and (jumps := count_lost_samples(t, x)):
         findings.append(finding("identify.stroke_jumps", name, jumps, jumps=jumps))
     first, last = _moving_part(x, name, findings)
     sound = np.flatnonzero(~lost[first:last]) + first
@@ -161,15 +161,15 @@ _BESIDE = 8  # samples beside a bridge whose derivative it spoils
 
 def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
     """Columns that lie flat at their limits, entered by a jump: no law can tell what was there."""
-    found = []
+    findings = []
     for column, values in columns.items():
         share = clipped_share(values)
         if share > _CLIPPED:
             if column == "force":
-                found.append(finding("identify.force_out_of_range", name, share, share=share, channel=column))
+                findings.append(finding("identify.force_out_of_range", name, share, share=share, channel=column))
             else:
-                found.append(finding("identify.flat_at_limits", name, share, share=share, channel=column))
-    return found
+                findings.append(finding("identify.flat_at_limits", name, share, share=share, channel=column))
+    return findings
 
 
 _CLIPPED = 2e-3  # of the samples: limits that a steady sine touches for so long cut 0.002 % of it

@@ -92,8 +92,8 @@ def datums_of(starts: Starts) -> dict[str, Datum]:
             if not start.is_stated:
                 said.setdefault(name, {}).setdefault(start.recorded is not None, set()).add(start.datum())
     # records that begin at rest decide, also for those that begin in motion
-    votes = {name: found.get(True) or found[False] for name, found in said.items()}
-    return {name: next(iter(found)) if len(found) == 1 else "free offset" for name, found in votes.items()}
+    votes = {name: by_rest.get(True) or by_rest[False] for name, by_rest in said.items()}
+    return {name: next(iter(choices)) if len(choices) == 1 else "free offset" for name, choices in votes.items()}
 
 
 def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]) -> FitTrial:
@@ -107,17 +107,17 @@ def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mappin
 
 def start_findings(starts: Starts) -> list[Finding]:
     """Report for each channel the chosen datum, and whether its sign is reversed."""
-    datums, found = datums_of(starts), dict[str, list[tuple[str, QuietStart]]]()
+    datums, by_channel = datums_of(starts), dict[str, list[tuple[str, QuietStart]]]()
     for trial, channels in starts.items():
         for channel, start in channels.items():
-            found.setdefault(channel, []).append((trial, start))
+            by_channel.setdefault(channel, []).append((trial, start))
     turned, chosen = list[Finding](), list[Finding]()
-    for channel, both in found.items():
+    for channel, both in by_channel.items():
         trials = [trial for trial, start in both if start.likeness < _TURNED]
         if trials:
             last = next(start.likeness for _, start in reversed(both) if start.likeness < _TURNED)
             turned.append(turned_channel(channel, last, trials))
-        some = [one for one in both if channel in datums and one[1].matters(datums[channel])]
+        some = [pair for pair in both if channel in datums and pair[1].matters(datums[channel])]
         if some:
             chosen += _findings(channel, datums[channel], some)
     return turned + chosen
@@ -130,13 +130,13 @@ def _findings(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart
     code = {"rest": "identify.datum_rest", "undeformed": "identify.datum_undeformed"}.get(datum, "identify.datum_free")
     if datum == "free offset" and differ:
         code = "identify.datums_differ"
-    found = [finding(code, channel, trials=_listed(quiet or moving))]
+    findings = [finding(code, channel, trials=_join_trials(quiet or moving))]
     if quiet and moving:
-        found.append(finding("identify.datum_in_motion", channel, trials=_listed(moving)))
-    return found
+        findings.append(finding("identify.datum_in_motion", channel, trials=_join_trials(moving)))
+    return findings
 
 
-def _listed(trials: Sequence[str]) -> str:
+def _join_trials(trials: Sequence[str]) -> str:
     return ", ".join(trials) if len(trials) < 5 else f"{len(trials)} trials"
 
 
@@ -145,7 +145,7 @@ def quiet_starts(trial: FitTrial, channels: Sequence[str] | None = None) -> dict
     problem = UpdateProblem([trial], (), UpdateSettings(channels=channels, tolerance=1e-5))
     prepared = problem.trials[0]
     solution = prepared.solve(np.zeros(0), problem.tolerance)
-    time, found = trial.measured["time"].to_numpy(), {}
+    time, starts = trial.measured["time"].to_numpy(), {}
     for channel in prepared.channels:
         static = solution.outputs[channel.column][:1]
         if channel.sensor is not None:
@@ -154,8 +154,8 @@ def quiet_starts(trial: FitTrial, channels: Sequence[str] | None = None) -> dict
         start = _quiet_start(channel, time, simulated, float(static[0]) + channel.bias)
         like = likeness(channel.measured, simulated, round(_MARGIN * prepared.rate))
         stated = channel.sensor is not None and channel.sensor.datum is not None
-        found[channel.name] = replace(start, likeness=like, is_stated=stated)
-    return found
+        starts[channel.name] = replace(start, likeness=like, is_stated=stated)
+    return starts
 
 
 def _quiet_start(channel: Channel, time: Array, simulated: Array, static: float) -> QuietStart:

@@ -22,8 +22,8 @@ from jounce.identify.decay_doubts import (
     EXACT,
     drift_of,
     low_pass_of,
-    spring_that_is_no_line,
-    what_is_left,
+    nonlinear_spring,
+    residual_causes,
     without_dropouts,
 )
 from jounce.identify.estimate import (
@@ -47,9 +47,9 @@ from jounce.identify.motion import (
     in_motion,
     motion_of,
     order_of,
-    spoken,
+    unit_in_words,
 )
-from jounce.identify.signals import lost_samples, noise_of, quantum_of, zigzag
+from jounce.identify.signals import count_lost_samples, noise_of, quantum_of, zigzag
 from jounce.recordings.carried import carried_channel, clock_of
 
 if TYPE_CHECKING:
@@ -346,9 +346,9 @@ def _fit(
     reach, which = float(np.ptp(signal)), np.array(free)
     best = None
     for start in starts:
-        found = _descend(t, signal / reach, np.append(start, np.zeros(7 - len(start))), quantity, reach, which)
-        if best is None or found[0].cost < best[0].cost * (1.0 - 1e-9):
-            best = found
+        descent = _descend(t, signal / reach, np.append(start, np.zeros(7 - len(start))), quantity, reach, which)
+        if best is None or descent[0].cost < best[0].cost * (1.0 - 1e-9):
+            best = descent
     assert best is not None
     solution, scale, begin = best
     values = begin.copy()
@@ -401,13 +401,13 @@ def _descend(
     def slopes(scaled: Array) -> Array:
         values = point(scaled)
         if closed:
-            found = decay_slopes(t, _unpack(values), quantity)[:, free[:_DRAG]]
+            jacobian = decay_slopes(t, _unpack(values), quantity)[:, free[:_DRAG]]
         else:
             steps = np.cbrt(np.finfo(float).eps) * np.maximum(scale, np.abs(values))
-            found = _slopes_with_drag(t, values, quantity, steps)[:, free]
-        found *= scale[free] / reach
-        found[~(np.abs(misfit(scaled) + target) < _FAR)] = 0.0
-        return found
+            jacobian = _slopes_with_drag(t, values, quantity, steps)[:, free]
+        jacobian *= scale[free] / reach
+        jacobian[~(np.abs(misfit(scaled) + target) < _FAR)] = 0.0
+        return jacobian
 
     begin = np.clip(start / scale, low + 1e-9, high - 1e-9)
     solution = least_squares(
@@ -506,13 +506,13 @@ def search_decay(
         if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
             findings.append(finding("identify.static_friction", name, gap, gap=motion_of(quantity).say(gap)))
             used, (values, spread, residual) = ~rest, alone
-    found = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
-    dragged = _with_drag(t[used], signal[used], peaks, found, quantity, drag)
-    if dragged and drag == "auto" and known is not None and _leads_away(dragged[0], found[0], known):
+    without_drag = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
+    dragged = _with_drag(t[used], signal[used], peaks, without_drag, quantity, drag)
+    if dragged and drag == "auto" and known is not None and _leads_away(dragged[0], without_drag[0], known):
         dragged = None
-    values, spread, found_residual = dragged or found
+    values, spread, fitted_residual = dragged or without_drag
     residual = np.full(len(t), np.nan)
-    residual[used] = found_residual
+    residual[used] = fitted_residual
     return _unpack(values), spread, residual, dragged is not None
 
 
@@ -533,12 +533,12 @@ def _with_drag(
     early = _early(t, peaks)
     starts.append(_fit(t[early], signal[early], starts, quantity, _EVERYTHING)[0])
     free, spread, _ = _fit(t, signal, starts, quantity, _EVERYTHING)
-    found = _not_negative(t, signal, free, spread, quantity, _EVERYTHING)
+    with_drag = _not_negative(t, signal, free, spread, quantity, _EVERYTHING)
     if drag == "yes":
-        return found
-    after = max(float(np.sqrt(np.mean(found[2] ** 2))), 1e-3 * EXACT * float(np.ptp(signal)))
-    gain = 2.0 * len(t) / correlation_time(found[2]) * math.log(max(before / after, 1.0))
-    return found if found[0][_DRAG] > 0.0 and gain > _CLEAR_GAIN else None
+        return with_drag
+    after = max(float(np.sqrt(np.mean(with_drag[2] ** 2))), 1e-3 * EXACT * float(np.ptp(signal)))
+    gain = 2.0 * len(t) / correlation_time(with_drag[2]) * math.log(max(before / after, 1.0))
+    return with_drag if with_drag[0][_DRAG] > 0.0 and gain > _CLEAR_GAIN else None
 
 
 def _leads_away(dragged: Array, without: Array, known: float) -> bool:
@@ -546,8 +546,8 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 
     So do a second mass and the friction of a strut on a tyre, which one mass with viscous damping does not have.
     """
-    one, other = (abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without))
-    return one > max(other, 0.5 * _OFF)
+    with_drag, without_drag = (abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without))
+    return with_drag > max(without_drag, 0.5 * _OFF)
 
 
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
@@ -572,7 +572,7 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 
     steps = 1e-6 * np.maximum(np.abs(values), 1e-3 * abs(values[5]))
     gradient = central_differences(end, values, steps)
-    return float(signal.mean()) - float(end(values)), spread.derived(0.0, gradient).standard_error or 0.0
+    return float(signal.mean()) - float(end(values)), spread.propagate(0.0, gradient).standard_error or 0.0
 
 
 # fit ------------------------------------------------------------------------------------------------------------------
@@ -784,7 +784,7 @@ def fit_decay(
         logarithmic_decrement=_naive_decrement(amplitudes),
         amplitudes=tuple(map(float, amplitudes)),
         decrements=decrements,
-        naive_damping_ratios=tuple(ratio_from_decrement(one) for one in decrements),
+        naive_damping_ratios=tuple(ratio_from_decrement(decrement) for decrement in decrements),
         cycles=(len(peaks.time) - 1) / 2.0,
         r2=r_squared(signal, residual),
         rms_residual=float(np.sqrt(np.mean(residual**2))),
@@ -802,7 +802,7 @@ def fit_decay(
                 result.stiffness.value,
                 inertia=motion.inertia_word,
                 value=result.stiffness.value,
-                unit=spoken(motion.stiffness),
+                unit=unit_in_words(motion.stiffness),
             )
         )
     is_alike = spread.correlation_time > _ALIKE_FOR
@@ -814,20 +814,20 @@ def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *,
     """Report defects of a record that its fit does not show; ``is_alike`` tells whether residuals are correlated."""
     t, signal, peaks, p, order = part.time, part.signal, part.peaks, result.parameters, order_of(result.quantity)
     findings: list[Finding] = []
-    if order < 2 and (lost := lost_samples(t, signal)) > _FEW_LOST:
+    if order < 2 and (lost := count_lost_samples(t, signal)) > _FEW_LOST:
         findings.append(finding("identify.decay_jumps", name, lost, places=lost))
     if order == 0:
-        findings += spring_that_is_no_line(peaks.time, peaks.value, p, noise_of(signal), name)
+        findings += nonlinear_spring(peaks.time, peaks.value, p, noise_of(signal), name)
     held, step = p.friction_deflection * p.angular_frequency**order, quantum_of(signal)
     if step > _STEPS * held and _is_clear(result.coulomb_force):
         findings.append(finding("identify.decay_steps_hide_friction", name, step, step=step, held=held))
     if result.rms_residual <= EXACT * float(np.ptp(signal)):
         return findings
     low = low_pass_of(t, signal, residual, p, name, is_alike=is_alike)
-    told = what_is_left(t, signal, residual, p, result.quantity, name) if is_alike else []
-    if is_alike and not told:
-        told = _read_otherwise(part, residual, result, name, is_smooth=bool(low))
-    return [*findings, *told, *low]
+    causes = residual_causes(t, signal, residual, p, result.quantity, name) if is_alike else []
+    if is_alike and not causes:
+        causes = _read_otherwise(part, residual, result, name, is_smooth=bool(low))
+    return [*findings, *causes, *low]
 
 
 def _is_clear(friction: Estimate) -> bool:
@@ -855,7 +855,7 @@ def _read_otherwise(
 
     others = [other for other in motion_of(quantity).quantities if other != quantity]
     shares = {other: leaves(signal, _starts(part.peaks, other), other) for other in others}
-    other = min(shares, key=lambda one: shares[one])
+    other = min(shares, key=lambda candidate: shares[candidate])
     if shares[other] < (_SURELY if is_smooth else _RATHER):
         return [
             finding(
@@ -871,14 +871,14 @@ def _read_otherwise(
         return []
     frequency = parameters.angular_frequency / (2.0 * math.pi)
     summed = np.concatenate([[0.0], np.cumsum(0.5 * (signal[1:] + signal[:-1]) * np.diff(t))])
-    start = np.array([getattr(parameters, one) for one in _NAMES])
+    start = np.array([getattr(parameters, key) for key in _NAMES])
 
-    def uncoupled(corner: float) -> float:
+    def share_uncoupled(corner: float) -> float:
         return leaves(signal + 2.0 * math.pi * corner * summed, [start], quantity)
 
-    corner = float(min(frequency * _CORNERS, key=uncoupled))
-    corner = float(min(corner * _BESIDE, key=uncoupled))
-    if (least := uncoupled(corner)) < _COUPLED:
+    corner = float(min(frequency * _CORNERS, key=share_uncoupled))
+    corner = float(min(corner * _BESIDE, key=share_uncoupled))
+    if (least := share_uncoupled(corner)) < _COUPLED:
         return [finding("identify.decay_high_pass", name, corner, corner=corner, share=least)]
     return []
 
@@ -1011,7 +1011,7 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
             where=name,
             found=f"{other} = {given[other]}, quantity {quantity}",
             allowed=Phrase(
-                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=spoken(motion.inertia)
+                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=unit_in_words(motion.inertia)
             ),
         )
     if stated is None:
@@ -1022,7 +1022,7 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
             where=name,
             found=f"quantity {quantity}",
             allowed=Phrase(
-                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=spoken(motion.inertia)
+                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=unit_in_words(motion.inertia)
             ),
         )
     value = as_number(stated, motion.inertia, where=f"{name}: {motion.inertia_word}")
@@ -1067,21 +1067,21 @@ def _check_record(
 def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str, Estimate]:
     omega, ratio, friction = p.angular_frequency, p.damping_ratio, p.friction_deflection
 
-    def derived(value: float, *gradient: float) -> Estimate:
-        return spread.derived(value, np.array([*gradient, *[0.0] * (7 - len(gradient))]))
+    def propagate(value: float, *gradient: float) -> Estimate:
+        return spread.propagate(value, np.array([*gradient, *[0.0] * (7 - len(gradient))]))
 
     return {
-        "damping_ratio": at_least_zero(derived(ratio, 0.0, 1.0)),
+        "damping_ratio": at_least_zero(propagate(ratio, 0.0, 1.0)),
         "damping_coefficient": at_least_zero(
-            derived(2.0 * ratio * omega * mass, 2.0 * ratio * mass, 2.0 * omega * mass)
+            propagate(2.0 * ratio * omega * mass, 2.0 * ratio * mass, 2.0 * omega * mass)
         ),
         "coulomb_force": at_least_zero(
-            derived(friction * mass * omega**2, 2.0 * friction * mass * omega, 0.0, mass * omega**2)
+            propagate(friction * mass * omega**2, 2.0 * friction * mass * omega, 0.0, mass * omega**2)
         ),
-        "natural_frequency_hz": derived(omega / (2.0 * math.pi), 1.0 / (2.0 * math.pi)),
-        "quadratic_drag": at_least_zero(derived(p.quadratic_drag * mass, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, mass)),
-        "equilibrium": derived(p.offset, 0.0, 0.0, 0.0, 1.0),
-        "stiffness": derived(mass * omega**2, 2.0 * mass * omega),
+        "natural_frequency_hz": propagate(omega / (2.0 * math.pi), 1.0 / (2.0 * math.pi)),
+        "quadratic_drag": at_least_zero(propagate(p.quadratic_drag * mass, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, mass)),
+        "equilibrium": propagate(p.offset, 0.0, 0.0, 0.0, 1.0),
+        "stiffness": propagate(mass * omega**2, 2.0 * mass * omega),
     }
 
 
@@ -1099,8 +1099,8 @@ def _naive_decrement(amplitudes: Array) -> Estimate:
     cycle = 0.5 * np.arange(len(amplitudes))
     if len(amplitudes) == 2:
         return Estimate(2.0 * math.log(amplitudes[0] / amplitudes[1]))
-    found, _, spread = linear_least_squares(np.column_stack([-cycle, np.ones_like(cycle)]), np.log(amplitudes))
-    return spread.estimates(found)[0]
+    coefficients, _, spread = linear_least_squares(np.column_stack([-cycle, np.ones_like(cycle)]), np.log(amplitudes))
+    return spread.estimates(coefficients)[0]
 
 
 def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: float | None, name: str) -> list[Finding]:
@@ -1114,7 +1114,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     if _is_clear(friction) and changed > _SAME:
         first, last = result.decrements[0], result.decrements[-1]
         estimates = {"damping": result.damping_coefficient.value, "friction": friction.value}
-        units = {"damping_unit": spoken(motion.damping), "force_unit": spoken(motion.force)}
+        units = {"damping_unit": unit_in_words(motion.damping), "force_unit": unit_in_words(motion.force)}
         add("identify.decrement_changes", friction.value, first=first, last=last, **estimates, **units)
     drag = result.quadratic_drag
     if p.friction_deflection == 0.0:
@@ -1122,7 +1122,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     if p.damping_ratio == 0.0:
         add("identify.no_viscous_damping", 0.0)
     if drag is not None and drag.value > 0.0:
-        add("identify.quadratic_drag", drag.value, drag=drag.value, unit=spoken(motion.drag))
+        add("identify.quadratic_drag", drag.value, drag=drag.value, unit=unit_in_words(motion.drag))
     reach, begins = abs(p.release_deflection), abs(p.release_deflection) * p.angular_frequency**2
     is_far, begin = begins > _MOST_ACCELERATION, f"{reach:.3g} m and {begins / 9.81:.0f} g"
     if motion.name == "rotation":
@@ -1142,7 +1142,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         share = result.stiffness.value / stiffness - 1.0
         code = "identify.stiffness_off" if motion.name == "rotation" else "identify.wheel_stiffness_off"
         both = {"value": result.stiffness.value, "given": stiffness, "excess": share}
-        add(code, share, inertia=motion.inertia_word, unit=spoken(motion.stiffness), **both)
+        add(code, share, inertia=motion.inertia_word, unit=unit_in_words(motion.stiffness), **both)
     return findings
 
 

@@ -42,9 +42,7 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
     return t[~lost], signal[~lost], findings
 
 
-def spring_that_is_no_line(
-    times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str
-) -> list[Finding]:
+def nonlinear_spring(times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str) -> list[Finding]:
     """Report a frequency that changes with the amplitude, which neither damping nor dry friction causes.
 
     ``turns`` are the displacements at successive turning points, at ``times`` (s).
@@ -59,9 +57,9 @@ def spring_that_is_no_line(
     periods = times[2:] - times[:-2]
     squares = (0.5 * (sizes[:-1] + sizes[1:]) / swing[0]) ** 2
     rates = (2.0 * math.pi / periods) ** 2
-    found, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
-    share = float(found[0]) * float(squares[0]) / float(found[1])
-    if abs(share) < _BENT or not (bend := spread.estimates(found)[0]).interval or bend.has(0.0):
+    coefficients, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
+    share = float(coefficients[0]) * float(squares[0]) / float(coefficients[1])
+    if abs(share) < _BENT or not (bend := spread.estimates(coefficients)[0]).interval or bend.has(0.0):
         return []
     code = "identify.spring_stiffens" if share > 0.0 else "identify.spring_softens"
     return [finding(code, name, share, first=1.0 / periods[0], last=1.0 / periods[-1])]
@@ -79,7 +77,7 @@ def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: floa
     return slow if is_large and float(without @ without) < (1.0 - _CAUSE) * left else None
 
 
-def what_is_left(
+def residual_causes(
     t: Array, signal: Array, residual: Array, parameters: DecayParameters, quantity: Quantity, name: str
 ) -> list[Finding]:
     """Name the likely cause of residuals: a jump, two decays, a drift, a damper that is firmer in one direction."""
@@ -97,10 +95,10 @@ def what_is_left(
     place = np.linspace(-0.5, 0.5, len(t))
     fall, turn = _swing(t, parameters)
     even = np.column_stack([fall, fall * np.cos(2.0 * turn), fall * np.sin(2.0 * turn), np.ones_like(t)])
-    slope, kept, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
-    drifts = 1.0 - float(kept @ kept) / left
-    _, kept, _ = linear_least_squares(even, residual)
-    lopsided = 1.0 - float(kept @ kept) / left
+    slope, remaining, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
+    drifts = 1.0 - float(remaining @ remaining) / left
+    _, remaining, _ = linear_least_squares(even, residual)
+    lopsided = 1.0 - float(remaining @ remaining) / left
     seam, at = _seam(t, residual, parameters, quantity)
     if seam > max(lopsided, drifts, _SEAM):
         findings.append(finding("identify.decay_second_hit", name, at, time=at, share=seam))

@@ -76,11 +76,11 @@ class NoiseDensity:
         if np.any(at < self.lowest):
             return None
         try:
-            found = self.problem.residuals(at)
+            residuals = self.problem.residuals(at)
         except SimulationError:
             return None
-        value = -0.5 * float(found.vector @ found.vector) / self.variance
-        return value, -(self.turn.T @ (found.jacobian.T @ found.vector)) / self.variance, 0.0
+        value = -0.5 * float(residuals.vector @ residuals.vector) / self.variance
+        return value, -(self.turn.T @ (residuals.jacobian.T @ residuals.vector)) / self.variance, 0.0
 
 
 # model error ---------------------------------------------------------------------------------------------------------
@@ -101,9 +101,9 @@ class DoubtDensity:
     """Log density of scaled parameters with all uncertain inputs integrated out around their best values."""
 
     def __init__(self, fit: ModelErrorFit) -> None:
-        self.found = fit
-        one, state = fit.problem, fit.state
-        self.size = len(one.free)
+        self.fit = fit
+        problem, state = fit.problem, fit.state
+        self.size = len(problem.free)
         self.best = state.theta
         information, _, _ = self._linear(fit.blocks, state)
         p = self.size
@@ -112,41 +112,41 @@ class DoubtDensity:
         self.spread = np.linalg.inv(information[p:, p:])
         profiled = information[:p, :p] + information[:p, p:] @ self.follow
         self.covariance: Array = np.asarray(np.linalg.inv(profiled), dtype=float)
-        lower = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in one.free])
+        lower = np.array([item.scale(0.0) if item.lower >= 0.0 else -np.inf for item in problem.free])
         spread = np.linalg.inv(profiled + np.eye(p) / _WIDE**2)
         best = np.maximum(self.best, lower)
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
-        self.beside = [dict(run.beside) for run in one.runs]
+        self.beside = [dict(run.beside) for run in problem.runs]
         self.settled = np.zeros(len(information) - p)  # what the doubts had still to go when the fit ended
         try:
-            self.settled = self._climbed(state, fit.blocks, _SETTLING).step
-            self.beside = [dict(run.beside) for run in one.runs]
+            self.settled = self._climb(state, fit.blocks, _SETTLING).step
+            self.beside = [dict(run.beside) for run in problem.runs]
         except SimulationError:  # then every point has that way to go
             pass
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
         """Information and score of all unknowns, and the sum of squares, with the fit's variances kept."""
-        found = self.found
-        system = found.problem.system(blocks, state)
+        fit = self.fit
+        system = fit.problem.system(blocks, state)
         information, score, square = system.beforehand()
-        for name, variance in found.variance.items():
+        for name, variance in fit.variance.items():
             information = information + system.normal[name][0] / variance
             score = score + system.normal[name][1] / variance
         for name, _, residual, _ in system.rows:
-            square += float(residual @ residual) / found.variance[name]
+            square += float(residual @ residual) / fit.variance[name]
         return information, score, square
 
     def __call__(self, x: Array) -> tuple[float, Array, float] | None:
         """Log density and slopes; None where the richer model does not run."""
-        found, p = self.found, self.size
-        moved = x - found.state.theta
+        fit, p = self.fit, self.size
+        moved = x - fit.state.theta
         step = np.concatenate([moved, self.settled + self.follow @ moved])
-        for run, beside in zip(found.problem.runs, self.beside, strict=True):
+        for run, beside in zip(fit.problem.runs, self.beside, strict=True):
             run.beside = beside  # not those of the point before: the density is a function of x alone
         try:
-            state = found.problem.moved(found.state, step, found.blocks, 1.0)
-            at = self._climbed(state, found.problem.blocks(state)[0], _CLIMBS)
+            state = fit.problem.step_state(fit.state, step, fit.blocks, 1.0)
+            at = self._climb(state, fit.problem.blocks(state)[0], _CLIMBS)
         except SimulationError:
             return None
         inner = at.information[p:, p:]
@@ -154,14 +154,14 @@ class DoubtDensity:
         value = -0.5 * (at.square - float(at.score[p:] @ at.more))
         return value, at.score[:p] - at.information[:p, p:] @ at.more, -0.5 * float(np.linalg.slogdet(inner)[1])
 
-    def _climbed(self, state: Any, blocks: Any, climbs: int) -> _Climbed:
+    def _climb(self, state: Any, blocks: Any, climbs: int) -> _Climbed:
         """Let the doubts climb to where they are best, by the slopes of the blocks, which are those at the state.
 
         Forces beside the strut follow from the motion that they cause: from one climb to the next they are those of
         the run before, and come to rest with the doubts. Where wheels lift off, or doubts that act alike trade places,
         the sum of squares may rise on the way: the best of all climbs counts.
         """
-        one, p = self.found.problem, self.size
+        problem, p = self.fit.problem, self.size
         information, score, square = self._linear(blocks, state)
         step, best = np.zeros(len(information) - p), None
         for left in range(climbs, -1, -1):
@@ -170,8 +170,8 @@ class DoubtDensity:
                 best = _Climbed(step, more, information, score, square)
             if not left or float(score[p:] @ more) < _LITTLE_GAIN:
                 break
-            state = one.moved(state, np.concatenate([np.zeros(p), more]), blocks, 1.0)
-            blocks = one.residuals(state, blocks)
+            state = problem.step_state(state, np.concatenate([np.zeros(p), more]), blocks, 1.0)
+            blocks = problem.residuals(state, blocks)
             _, score, square = self._linear(blocks, state)
             step = step + more
         assert best is not None
@@ -180,9 +180,9 @@ class DoubtDensity:
     def doubts(self, x: Array, seed: int) -> Array:
         """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
         rng = np.random.default_rng([seed, 7])
-        mean = self.settled + (x - self.found.state.theta) @ self.follow.T
+        mean = self.settled + (x - self.fit.state.theta) @ self.follow.T
         if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
             at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
-            rows = np.column_stack([np.ones(len(at)), at - self.found.state.theta])
-            mean = np.column_stack([np.ones(len(x)), x - self.found.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
+            rows = np.column_stack([np.ones(len(at)), at - self.fit.state.theta])
+            mean = np.column_stack([np.ones(len(x)), x - self.fit.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
         return np.asarray(mean + rng.normal(size=mean.shape) @ np.linalg.cholesky(self.spread).T)

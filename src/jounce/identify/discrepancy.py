@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding, finding
+from jounce.core.old_names import old_property
 from jounce.core.segments import Segments
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -117,9 +118,11 @@ class NuisanceEstimate:
     standard_error: float
 
     @property
-    def moved(self) -> float:
+    def deviations(self) -> float:
         """Distance from its mean in prior standard deviations."""
         return (self.value - self.mean) / self.deviation
+
+    moved = old_property("NuisanceEstimate.moved", "deviations")
 
 
 @dataclass(frozen=True)
@@ -232,9 +235,9 @@ class _Run:
         self.starts = _starts(prepared.source) if problem.doubt.start > 0.0 else {}
 
     def numbers(self, state: _State) -> dict[str, float]:
-        return self.all.richer.numbers(self.values, self.fitted(state.theta), state.xi)
+        return self.all.richer.numbers(self.values, self.fitted_values(state.theta), state.xi)
 
-    def fitted(self, theta: Array) -> dict[str, float]:
+    def fitted_values(self, theta: Array) -> dict[str, float]:
         values = np.array([free.value(s) for free, s in zip(self.all.free, theta, strict=True)])
         own = self.prepared.own(values)
         return {free.path: float(value) for free, value in zip(self.all.free, own, strict=True)}
@@ -242,15 +245,15 @@ class _Run:
     def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
         """Tracks with their uncertain inputs, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
         patch = max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH) if self.patched else 0.0
-        found = []
+        tracks = []
         for name, track in zip(self.compiled.facts.tracks, self._tracks(patch), strict=True):
             if name.endswith("command"):
-                found.append(self._command(track, inputs))
+                tracks.append(self._command(track, inputs))
             elif is_road(name):
-                found.append(self._warped(track, inputs).times(1.0 + inputs.get("height", 0.0)))
+                tracks.append(self._warp(track, inputs).times(1.0 + inputs.get("height", 0.0)))
             else:
-                found.append(track)
-        return found
+                tracks.append(track)
+        return tracks
 
     def _tracks(self, patch: float) -> list[Segments]:
         if patch not in self._roads:
@@ -263,7 +266,7 @@ class _Run:
             self._roads[patch] = excitation(self.compiled.facts, source.rig, trial, self.compiled.free)
         return self._roads[patch]
 
-    def _warped(self, track: Segments, inputs: Mapping[str, float]) -> Segments:
+    def _warp(self, track: Segments, inputs: Mapping[str, float]) -> Segments:
         if not self.road:
             return track
         speed = inputs.get("speed", 0.0) + inputs.get("speeds", 0.0) * self.speed
@@ -348,17 +351,17 @@ class ModelErrorProblem:
         self.align, self.tolerance = settings.fits_lags, settings.tolerance
         prepared = [prepare_trial(trial, self.free, settings) for trial in trials]
         prepared = [
-            replace(one, channels=tuple(channel for channel in one.channels if channel.weight > 0.0))
-            for one in prepared
+            replace(ready, channels=tuple(channel for channel in ready.channels if channel.weight > 0.0))
+            for ready in prepared
         ]
         rig = trials[0].rig
         used = compile_rig(rig).facts.parameters
         paths, start = [item.path for item in free], start or {}
-        self.richer = richer or ExtendedRig(rig, paths, doubt, _ridden(prepared[0], start), used, start)
+        self.richer = richer or ExtendedRig(rig, paths, doubt, _ride_extent(prepared[0], start), used, start)
         self.lanes = len(self.richer.nuisances)
         self.columns = self.richer.columns()
-        self.runs = [_Run(one, self) for one in prepared]
-        self.rate = min(one.rate for one in prepared)
+        self.runs = [_Run(ready, self) for ready in prepared]
+        self.rate = min(ready.rate for ready in prepared)
         self.names = list(dict.fromkeys(channel.name for run in self.runs for channel in run.channels))
         self.nuisances = [*self.richer.nuisances, *self._inputs(), *self._sensors()]
         self.place = {nuisance.name: i for i, nuisance in enumerate(self.nuisances)}
@@ -373,7 +376,7 @@ class ModelErrorProblem:
         for i, item in enumerate(free):
             if item.path in known:
                 mean, deviation = known[item.path]
-                self.priors[i] = item.scaled(mean), item.half_range / deviation
+                self.priors[i] = item.scale(mean), item.half_range / deviation
 
     def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> ModelErrorProblem:
         """The same uncertain inputs over one trial."""
@@ -389,19 +392,19 @@ class ModelErrorProblem:
         return compile_rig(rig, self.columns, actuator=actuator)
 
     def _inputs(self) -> list[Nuisance]:
-        doubt, found = self.doubt, []
+        doubt, nuisances = self.doubt, []
         if SPEED in self.beside and any(run.road for run in self.runs):
-            found.append(Nuisance("speeds", "speed", "1", 0.0, self.beside[SPEED]))
+            nuisances.append(Nuisance("speeds", "speed", "1", 0.0, self.beside[SPEED]))
         if doubt.height > 0.0:
-            found.append(Nuisance("height", "height", "1", 0.0, doubt.height))
+            nuisances.append(Nuisance("height", "height", "1", 0.0, doubt.height))
         patch = doubt.contact_patch * self.richer.extent.tyre
         if patch > 0.0 and any(run.patched for run in self.runs):
-            found.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
+            nuisances.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
         if self.richer.has_laws and doubt.presliding > 0.0:
-            found.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
+            nuisances.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
         if isinstance(self.richer.rig, QuarterCar) and doubt.arms > 0.0:
-            found.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
-        return found
+            nuisances.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
+        return nuisances
 
     def gain_doubt(self, channel: Channel) -> float:
         """Relative uncertainty of a channel's gain (1): from its calibration, or the common one."""
@@ -409,20 +412,22 @@ class ModelErrorProblem:
         return self.doubt.gain if own is None else own
 
     def _sensors(self) -> list[Nuisance]:
-        doubt, found = self.doubt, []
+        doubt, nuisances = self.doubt, []
         channels = {channel.name: channel for run in self.runs for channel in run.channels}
         for name, channel in channels.items():
             gain = self.gain_doubt(channel)
             if gain > 0.0:
-                found.append(Nuisance(f"{name} gain", "gain", "1", 0.0, gain))
+                nuisances.append(Nuisance(f"{name} gain", "gain", "1", 0.0, gain))
             if doubt.bias > 0.0:
-                found.append(Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured))))
+                nuisances.append(
+                    Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured)))
+                )
             corner = self.beside.get(f"{name}{LOW_PASS}", doubt.corner)
             if corner > 0.0 and channel.sensor is not None and channel.sensor.low_pass is not None:
-                found.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, corner))
+                nuisances.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, corner))
             elif doubt.bandwidth > 0.0 and (channel.sensor is None or channel.sensor.low_pass is None):
-                found.append(Nuisance(f"{name} bandwidth", "bandwidth", "s", 0.0, doubt.bandwidth))
-        return found
+                nuisances.append(Nuisance(f"{name} bandwidth", "bandwidth", "s", 0.0, doubt.bandwidth))
+        return nuisances
 
     def value(self, name: str, xi: Array) -> float:
         """Value of a nuisance by its name, 0 if it is certain."""
@@ -433,14 +438,14 @@ class ModelErrorProblem:
 
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
         """Uncertain inputs of a trial by name, SI."""
-        found = {name: self.value(name, state.xi) for name in _INPUTS}
-        return found | {own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)}
+        values = {name: self.value(name, state.xi) for name in _INPUTS}
+        return values | {own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)}
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
     def residuals(self, state: _State, blocks: Sequence[_ChannelResiduals]) -> list[_ChannelResiduals]:
         """The same blocks with the residuals of another state: one run per trial, a fifth of the cost of slopes."""
-        found, at = [], iter(blocks)
+        recomputed, at = [], iter(blocks)
         for i, run in enumerate(self.runs):
             plain = run.compiled.plain
             solution = run.simulate(plain, run.numbers(state), self.inputs(state, i))
@@ -449,21 +454,21 @@ class ModelErrorProblem:
             for channel in run.channels:
                 table = self.read(prepared, channel, solution, state.xi)
                 shifted = channel.offset(shift_signals(table, prepared.rate, float(state.lags[i])), np.zeros(1))[0]
-                found.append(replace(next(at), residual=channel.measured - shifted[:, 0]))
-        return found
+                recomputed.append(replace(next(at), residual=channel.measured - shifted[:, 0]))
+        return recomputed
 
     def blocks(self, state: _State) -> tuple[list[_ChannelResiduals], list[States]]:
         """Simulate all trials; give residuals with their slopes, and the states of each run."""
-        found, states = [], []
+        blocks, states = [], []
         for i, run in enumerate(self.runs):
             numbers, inputs = run.numbers(state), self.inputs(state, i)
             solution = run.simulate(run.compiled, numbers, inputs)
             states.append(States.of(run.compiled, solution))
             slopes = self._slopes(run, state)
-            varied = self._varied(run, numbers, inputs, states[-1])
+            varied = self._vary_inputs(run, numbers, inputs, states[-1])
             for channel in run.channels:
-                found.append(self._block(run, i, channel, solution, slopes, varied, state))  # noqa: PERF401
-        return found, states
+                blocks.append(self._block(run, i, channel, solution, slopes, varied, state))  # noqa: PERF401
+        return blocks, states
 
     def _slopes(self, run: _Run, state: _State) -> Array:
         """Derivatives of the richer rig's numbers by scaled parameters and whitened nuisances: algebra only."""
@@ -471,8 +476,8 @@ class ModelErrorProblem:
         p = len(self.free)
 
         def numbers(x: Array) -> Array:
-            one = run.numbers(_State(x[:p], np.concatenate([x[p:], state.xi[self.lanes :]]), state.own, state.lags))
-            return np.array([one[path] for path in self.columns])
+            values = run.numbers(_State(x[:p], np.concatenate([x[p:], state.xi[self.lanes :]]), state.own, state.lags))
+            return np.array([values[path] for path in self.columns])
 
         table = np.empty((len(self.columns), len(unknowns)))
         for k in range(len(unknowns)):
@@ -481,14 +486,14 @@ class ModelErrorProblem:
             table[:, k] = (numbers(unknowns + move) - numbers(unknowns - move)) / 2e-4
         return table
 
-    def _varied(
+    def _vary_inputs(
         self, run: _Run, numbers: Mapping[str, float], inputs: Mapping[str, float], states: States
     ) -> dict[str, tuple[Solution, float]]:
         """Simulations with one input changed by a tenth of its doubt, and one over that in prior units."""
-        plain, found = run.compiled.plain, {}
+        plain, simulations = run.compiled.plain, {}
         run.beside = run.forces(states)  # before all of them: what it changes is no difference of the inputs
         base = run.simulate(plain, numbers, inputs)
-        found[""] = base, 0.0
+        simulations[""] = base, 0.0
         deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
         deviations |= {own.name: own.deviation for own in self.own if run.road or own.group == START}
         for name, deviation in deviations.items():
@@ -497,8 +502,8 @@ class ModelErrorProblem:
             if name in run.starts and not run.begins_unknown:
                 continue
             changed = {**inputs, name: inputs[name] + _STEP * deviation}
-            found[name] = run.simulate(plain, numbers, changed), 1.0 / _STEP
-        return found
+            simulations[name] = run.simulate(plain, numbers, changed), 1.0 / _STEP
+        return simulations
 
     def _block(
         self, run: _Run, trial: int, channel: Channel, solution: Solution, slopes: Array,
@@ -511,7 +516,9 @@ class ModelErrorProblem:
         names = {nuisance.name: p + i for i, nuisance in enumerate(self.nuisances)}
         common = np.zeros((len(table), p + q))
         own = np.zeros((len(table), len(self.own)))
-        others = {name: self.read(prepared, channel, one, state.xi)[:, 0] for name, (one, _) in varied.items()}
+        others = {
+            name: self.read(prepared, channel, simulation, state.xi)[:, 0] for name, (simulation, _) in varied.items()
+        }
         moved = {name: (others[name] - others[""]) * scale for name, (_, scale) in varied.items() if name}
         gained = table[:, 0] - channel.bias - self.value(f"{channel.name} bias", state.xi)
         gained = gained / (1.0 + self.value(f"{channel.name} gain", state.xi))
@@ -532,15 +539,17 @@ class ModelErrorProblem:
             if key in names:
                 common[:, names[key]] = shifted[:, k]
             else:
-                own[:, [one.name for one in self.own].index(key)] = shifted[:, k]
+                own[:, [doubt.name for doubt in self.own].index(key)] = shifted[:, k]
         bias = f"{channel.name} bias"
         if bias in names and channel.datum != "free offset":
-            common[:, names[bias]] = channel.seen(np.full(len(table), self.nuisances[self.place[bias]].deviation))
+            common[:, names[bias]] = channel.mask_frozen(
+                np.full(len(table), self.nuisances[self.place[bias]].deviation)
+            )
         return _ChannelResiduals(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
 
     def read(self, prepared: Prepared, channel: Channel, solution: Solution, xi: Array) -> Array:
         """Reading of a channel, and its derivatives, through its uncertain sensor."""
-        table = prepared.table(self._sensed(channel, xi), solution)
+        table = prepared.table(self._doubtful_channel(channel, xi), solution)
         name = f"{channel.name} bandwidth"
         return (
             low_passed_by(table, prepared.rate, self.value(name, xi), self.doubt.bandwidth)
@@ -548,7 +557,7 @@ class ModelErrorProblem:
             else table
         )
 
-    def _sensed(self, channel: Channel, xi: Array) -> Channel:
+    def _doubtful_channel(self, channel: Channel, xi: Array) -> Channel:
         """The channel with its sensor as it may be."""
         sensor = channel.sensor or Sensor()
         change: dict[str, float] = {"gain": sensor.gain * (1.0 + self.value(f"{channel.name} gain", xi))}
@@ -587,9 +596,9 @@ class ModelErrorProblem:
         away = np.concatenate([np.zeros(p), state.xi, self._own_now(state).ravel()])
         prior = np.ones(dim)
         prior[:p], away[:p] = self.priors[:, 1] ** 2, state.theta - self.priors[:, 0]
-        return _System(self.names, rows, prior, away, self._weighed(state, dim), stated)
+        return _System(self.names, rows, prior, away, self._wheel_load_rows(state, dim), stated)
 
-    def _weighed(self, state: _State, dim: int) -> Array:
+    def _wheel_load_rows(self, state: _State, dim: int) -> Array:
         """Wheel loads at rest that were measured: how far each is from the model's, and its slopes, over its doubt.
 
         A row a load, the slopes by all unknowns first. The contact force at rest carries all masses of a wheel.
@@ -602,7 +611,7 @@ class ModelErrorProblem:
             p = len(self.free)
 
             def apart(x: Array, run: _Run = run, measured: float = measured, p: int = p) -> float:
-                numbers = self.richer.plain(run.values, run.fitted(x[:p]), x[p:])
+                numbers = self.richer.plain(run.values, run.fitted_values(x[:p]), x[p:])
                 load = static_load(self.richer.rig, numbers)
                 return (measured - load) / (self.doubt.wheel_load * load)
 
@@ -618,12 +627,12 @@ class ModelErrorProblem:
         unsure = np.array([_LAG_UNSURE / run.prepared.rate for run in self.runs])
         return np.column_stack([state.own, state.lags / unsure])
 
-    def moved(self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float) -> _State:
+    def step_state(self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float) -> _State:
         """The state after a share of a step; lags follow."""
         p, q = len(self.free), len(self.nuisances)
         theta, xi = state.theta + share * step[:p], state.xi + share * step[p : p + q]
         own = share * step[p + q :].reshape(len(self.runs), -1)
-        lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in self.free])
+        lowest = np.array([item.scale(0.0) if item.lower >= 0.0 else -np.inf for item in self.free])
         theta = np.maximum(theta, lowest)
         lags = state.lags.copy()
         for trial, run in enumerate(self.runs):
@@ -668,12 +677,12 @@ class _System:
         information, score = np.diag(prior) + slopes.T @ slopes, -prior * self.away + slopes.T @ left
         return information, score, float(prior @ self.away**2 + left @ left)
 
-    def solved(self, prior: Array | None = None) -> _Step:
+    def solve(self, prior: Array | None = None) -> _Step:
         """Step and covariance; weights and residuals depend on each other."""
         prior = self.prior if prior is None else prior
         step = np.zeros(len(prior))
         for _ in range(_PASSES):
-            noise, energy, total = self.left(step)
+            noise, energy, total = self.split_residual(step)
             step, covariance = self._with(
                 prior, {name: noise[name] + energy[name] / OBSERVATIONS for name in self.names}
             )
@@ -687,7 +696,7 @@ class _System:
         covariance = np.asarray(np.linalg.pinv(information, hermitian=True), dtype=float)
         return covariance @ score, covariance
 
-    def known(self, which: Mask, step: _Step, *, rest: bool = True) -> Array:
+    def covariance_given(self, which: Mask, step: _Step, *, rest: bool = True) -> Array:
         """Covariance with some unknowns known exactly (a mask), or without the unexplained residual."""
         of_rest = 1.0 / OBSERVATIONS if rest else 0.0
         variance = {name: step.noise[name] + of_rest * step.energy[name] for name in self.names}
@@ -695,11 +704,11 @@ class _System:
         for name in self.names:
             information = information + self.normal[name][0] / variance[name]
         covariance = np.zeros_like(information)
-        kept = np.ix_(~which, ~which)
-        covariance[kept] = np.linalg.pinv(information[kept], hermitian=True)
+        unknown = np.ix_(~which, ~which)
+        covariance[unknown] = np.linalg.pinv(information[unknown], hermitian=True)
         return covariance
 
-    def left(self, step: Array) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
+    def split_residual(self, step: Array) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
         """Noise variance, energy of the unexplained part of one block, and mean square of the residual, by channel."""
         noise: dict[str, list[float]] = {name: [] for name in self.names}
         energy: dict[str, list[float]] = {name: [] for name in self.names}
@@ -762,7 +771,9 @@ class ModelErrorFit:
         """Unexplained part of each channel, as a share (1) of the energy of the simulated signal."""
         power: dict[str, list[float]] = {name: [] for name in self.problem.names}
         for block in self.blocks:
-            channel = next(one for one in self.problem.runs[block.trial].channels if one.name == block.channel)
+            channel = next(
+                candidate for candidate in self.problem.runs[block.trial].channels if candidate.name == block.channel
+            )
             simulated = channel.measured - block.residual
             power[block.channel].append(float(np.sum((simulated - simulated[0]) ** 2)))
         return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
@@ -785,23 +796,23 @@ def fit_model_error(
     found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
     be off (1, of the speed or the logarithm of the corner): it is found again with all else.
     """
-    one = ModelErrorProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
+    problem = ModelErrorProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
     state = _State(
-        np.array([item.scaled(start[item.path]) for item in free]),
-        np.zeros(len(one.nuisances)),
-        np.zeros((len(trials), len(one.own))),
+        np.array([item.scale(start[item.path]) for item in free]),
+        np.zeros(len(problem.nuisances)),
+        np.zeros((len(trials), len(problem.own))),
         np.array([lags.get(trial.name, 0.0) for trial in trials]),
     )
-    place = _SearchPoint.of(one, state)
+    place = _SearchPoint.of(problem, state)
     first = _mean_squares(place.blocks)
-    best = _step_to_rest(one, place)
+    best = _step_to_rest(problem, place)
     if best.rest_of(first) > _POOR:
-        for step in _other_steps(one, best):
+        for step in _other_steps(problem, best):
             with suppress(SimulationError):
-                best = min(best, _step_to_rest(one, best.after(step)), key=lambda place: place.cost)
-        for run, states in zip(one.runs, best.states, strict=True):
+                best = min(best, _step_to_rest(problem, best.after(step)), key=lambda place: place.cost)
+        for run, states in zip(problem.runs, best.states, strict=True):
             run.beside = run.forces(states)
-    return ModelErrorFit(one, best.state, best.blocks, best.states, best.system, best.step, first)
+    return ModelErrorFit(problem, best.state, best.blocks, best.states, best.system, best.step, first)
 
 
 _POOR = 0.2
@@ -811,10 +822,10 @@ On 80 virtual benches where intervals held it was 0.01 to 0.2.
 """
 
 
-def _share_left(found: _Step, first: Mapping[str, float], without: float = 0.0) -> float:
+def _share_left(step: _Step, first: Mapping[str, float], without: float = 0.0) -> float:
     """Share (1) of the mean squares ``first`` that is left, each channel over its noise, ``without`` so much of it."""
-    before = sum(first[name] / found.noise[name] for name in first)
-    left = sum(max(found.square[name] / found.noise[name] - without, 0.0) for name in first)
+    before = sum(first[name] / step.noise[name] for name in first)
+    left = sum(max(step.square[name] / step.noise[name] - without, 0.0) for name in first)
     return left / before if before > 0.0 else 1.0
 
 
@@ -828,9 +839,9 @@ class _SearchPoint:
     states: list[States]
 
     @classmethod
-    def of(cls, one: ModelErrorProblem, state: _State) -> _SearchPoint:
+    def of(cls, problem: ModelErrorProblem, state: _State) -> _SearchPoint:
         """Simulate all trials."""
-        return cls(one, state, *one.blocks(state))
+        return cls(problem, state, *problem.blocks(state))
 
     @cached_property
     def system(self) -> _System:
@@ -840,12 +851,12 @@ class _SearchPoint:
     @cached_property
     def step(self) -> _Step:
         """Their solution."""
-        return self.system.solved()
+        return self.system.solve()
 
     @cached_property
     def cost(self) -> float:
         """Objective of the search; its weights (noise, and the unexplained part as few observations) are its slope."""
-        noise, energy, _ = self.system.left(np.zeros(len(self.system.prior)))
+        noise, energy, _ = self.system.split_residual(np.zeros(len(self.system.prior)))
         trials = len(self.problem.runs)
         rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.problem.names)
         return float(trials * OBSERVATIONS * rest + self.system.beforehand()[2])
@@ -860,7 +871,7 @@ class _SearchPoint:
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
             try:
-                return _SearchPoint.of(self.problem, self.problem.moved(self.state, step, self.blocks, share))
+                return _SearchPoint.of(self.problem, self.problem.step_state(self.state, step, self.blocks, share))
             except SimulationError as error:
                 share, last = 0.5 * share, error
         raise last
@@ -870,9 +881,9 @@ _LONGEST = 3.0  # prior standard deviations that a step may go
 _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
-def _step_to_rest(one: ModelErrorProblem, place: _SearchPoint) -> _SearchPoint:
+def _step_to_rest(problem: ModelErrorProblem, place: _SearchPoint) -> _SearchPoint:
     """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
-    p, best = len(one.free), place
+    p, best = len(problem.free), place
     for _ in range(_ROUNDS):
         step = place.step
         place = place.after(step.step)
@@ -888,24 +899,26 @@ def _step_to_rest(one: ModelErrorProblem, place: _SearchPoint) -> _SearchPoint:
 _RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
 
 
-def _other_steps(one: ModelErrorProblem, place: _SearchPoint) -> list[Array]:
+def _other_steps(problem: ModelErrorProblem, place: _SearchPoint) -> list[Array]:
     """Steps to where a search may end better: all doubts set free, and the group that would explain most if it were.
 
     What nothing explains weakens the data, so that doubts stay with their priors and go on explaining nothing.
     """
     prior = place.system.prior
-    doubts = np.arange(len(prior)) >= len(one.free)
-    freed = [place.system.solved(np.where(mask, _FREER * prior, prior)) for mask in _groups(one, len(prior)).values()]
-    best = min(freed, key=lambda step: sum(np.log(step.energy[name] + step.noise[name]) for name in one.names))
-    return [place.system.solved(np.where(doubts, _FREER * prior, prior)).step, best.step]
+    doubts = np.arange(len(prior)) >= len(problem.free)
+    freed = [
+        place.system.solve(np.where(mask, _FREER * prior, prior)) for mask in _groups(problem, len(prior)).values()
+    ]
+    best = min(freed, key=lambda step: sum(np.log(step.energy[name] + step.noise[name]) for name in problem.names))
+    return [place.system.solve(np.where(doubts, _FREER * prior, prior)).step, best.step]
 
 
 def _mean_squares(blocks: Sequence[_ChannelResiduals]) -> dict[str, float]:
     """Mean square of the residuals of each channel."""
-    found: dict[str, list[float]] = {}
+    squares: dict[str, list[float]] = {}
     for block in blocks:
-        found.setdefault(block.channel, []).append(float(np.mean(block.residual**2)))
-    return {name: float(np.mean(values)) for name, values in found.items()}
+        squares.setdefault(block.channel, []).append(float(np.mean(block.residual**2)))
+    return {name: float(np.mean(values)) for name, values in squares.items()}
 
 
 # what is reported ---------------------------------------------------------------------------------------------------
@@ -927,59 +940,59 @@ class Readings:
 
 def readings_of(fit: ModelErrorFit) -> Readings:
     """Read the component values from the final state of an extended model."""
-    one, state, system, found = fit.problem, fit.state, fit.system, fit.step
-    p, q, count = len(one.free), len(one.nuisances), len(one.runs)
-    laws = Laws(one.richer, fit.states)
-    run = one.runs[0]
+    problem, state, system, step = fit.problem, fit.state, fit.system, fit.step
+    p, q, count = len(problem.free), len(problem.nuisances), len(problem.runs)
+    laws = Laws(problem.richer, fit.states)
+    run = problem.runs[0]
 
     def readings(x: Array) -> Array:
-        rig = one.richer.plain(run.values, run.fitted(x[:p]), x[p:])
-        presliding = one.value("presliding", x[p:])
-        return np.array([laws.readings(item.path, rig, x[p:], presliding) for item in one.free]).T
+        rig = problem.richer.plain(run.values, run.fitted_values(x[:p]), x[p:])
+        presliding = problem.value("presliding", x[p:])
+        return np.array([laws.readings(item.path, rig, x[p:], presliding) for item in problem.free]).T
 
     here = np.concatenate([state.theta, state.xi])
     values = readings(here)
     slopes = np.stack(
         [(readings(here + move) - readings(here - move)) / 2e-4 for move in 1e-4 * np.eye(p + q)], axis=-1
     )
-    covariance = found.covariance[: p + q, : p + q]
+    covariance = step.covariance[: p + q, : p + q]
     errors = np.sqrt(np.maximum(np.einsum("kij,jl,kil->ki", slopes, covariance, slopes), 0.0))
-    freedom = count / np.maximum(_share_of_rest(system, found, slopes, errors), 1e-3) ** 2
+    freedom = count / np.maximum(_share_of_rest(system, step, slopes, errors), 1e-3) ** 2
     return Readings(values, slopes, errors, freedom)
 
 
 def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrepancy:
     """Summarise a fit; ``bench`` are values of component tests (SI) to compare it with."""
-    one, state, system, found = fit.problem, fit.state, fit.system, fit.step
-    p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), fit.first
+    problem, state, system, step = fit.problem, fit.state, fit.system, fit.step
+    p, q, count, first = len(problem.free), len(problem.nuisances), len(problem.runs), fit.first
     read = readings_of(fit)
     values, slopes, errors, freedom = read.values, read.slopes, read.errors, read.freedom
-    covariance = found.covariance[: p + q, : p + q]
-    shares = _shares(one, system, found, slopes[0], errors[0])
+    covariance = step.covariance[: p + q, : p + q]
+    shares = _shares(problem, system, step, slopes[0], errors[0])
     after = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    nuisances = _nuisances(one, state, after[p:])
-    unexplained = {n: found.energy[n] / (found.energy[n] + _length(system, n) * found.noise[n]) for n in one.names}
-    reducer, reduced, strays = _free_group_by_group(one, state, system, found, slopes, errors)
+    nuisances = _nuisances(problem, state, after[p:])
+    unexplained = {n: step.energy[n] / (step.energy[n] + _length(system, n) * step.noise[n]) for n in problem.names}
+    reducer, reduced, strays = _free_group_by_group(problem, state, system, step, slopes, errors)
     estimates = {
         item.path: (
             estimate(values[0, i], errors[0, i], freedom[0, i]),
             estimate(values[1, i], errors[1, i], freedom[1, i]),
         )
-        for i, item in enumerate(one.free)
+        for i, item in enumerate(problem.free)
     }
-    for item in one.free:
+    for item in problem.free:
         if item.lower >= 0.0:
             estimates[item.path] = at_least_zero(estimates[item.path][0]), at_least_zero(estimates[item.path][1])
-    contradicted, rest = _contradictions(estimates, bench), _share_left(found, first, 1.0)
+    contradicted, rest = _contradictions(estimates, bench), _share_left(step, first, 1.0)
     parameters = {
         item.path: _law_estimate(
-            *estimates[item.path], shares[item.path], _drawn_by(strays, i), contradicted, item.path, rest
+            *estimates[item.path], shares[item.path], _doubt_behind(strays, i), contradicted, item.path, rest
         )
-        for i, item in enumerate(one.free)
+        for i, item in enumerate(problem.free)
     }
     correlation = correlation_of(covariance[:p, :p])
     counted: dict[str, int] = {}
-    for group in (*(nuisance.group for nuisance in one.nuisances), *(own.group for own in one.own)):
+    for group in (*(nuisance.group for nuisance in problem.nuisances), *(own.group for own in problem.own)):
         counted[group] = counted.get(group, 0) + 1
     return Discrepancy(
         parameters,
@@ -988,27 +1001,27 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
         unexplained,
         reducer,
         reduced,
-        {n: float(np.sqrt(found.noise[n])) for n in one.names},
+        {n: float(np.sqrt(step.noise[n])) for n in problem.names},
         counted,
         count,
-        _share_left(found, first),
+        _share_left(step, first),
         rest,
         (
-            *_findings(one, strays, nuisances, contradicted, unexplained, reducer, reduced),
+            *_findings(problem, strays, nuisances, contradicted, unexplained, reducer, reduced),
             *off_together(
                 {path: law.value for path, law in parameters.items()},
                 bench,
                 contradicted,
-                one.richer.values.get("strut.angle", 0.0),
+                problem.richer.values.get("strut.angle", 0.0),
             ),
             *_one_sided(fit),
-            *_undoubted_laws_finding(one.richer),
+            *_undoubted_laws_finding(problem.richer),
             *scale_of_masses(
-                [item.path for item in one.free],
-                one.names,
-                1.96 * max((n.deviation for n in one.nuisances if n.name.endswith("mass")), default=0.0),
-                [item.path for item, (_, sure) in zip(one.free, one.priors, strict=True) if sure > 0.0],
-                is_weighed=any(run.prepared.source.wheel_load is not None for run in one.runs),
+                [item.path for item in problem.free],
+                problem.names,
+                1.96 * max((n.deviation for n in problem.nuisances if n.name.endswith("mass")), default=0.0),
+                [item.path for item, (_, sure) in zip(problem.free, problem.priors, strict=True) if sure > 0.0],
+                is_weighed=any(run.prepared.source.wheel_load is not None for run in problem.runs),
             ),
         ),
     )
@@ -1019,33 +1032,33 @@ def _length(system: _System, name: str) -> float:
     return float(np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name]))
 
 
-def _nuisances(one: ModelErrorProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
-    found = {}
-    xi, error = _in_prior_deviations(one, state.xi), after
-    for i, nuisance in enumerate(one.nuisances):
-        found[nuisance.name] = NuisanceEstimate(
+def _nuisances(problem: ModelErrorProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
+    estimates = {}
+    xi, error = _in_prior_deviations(problem, state.xi), after
+    for i, nuisance in enumerate(problem.nuisances):
+        estimates[nuisance.name] = NuisanceEstimate(
             nuisance.group, nuisance.unit, nuisance.mean, nuisance.deviation,
             nuisance.mean + nuisance.deviation * float(xi[i]), nuisance.deviation * float(error[i]),
         )  # fmt: skip
-    return found
+    return estimates
 
 
-def _in_prior_deviations(one: ModelErrorProblem, xi: Array) -> Array:
+def _in_prior_deviations(problem: ModelErrorProblem, xi: Array) -> Array:
     """Doubts in their own prior standard deviations: the damper's forces are correlated."""
-    knotted, found = one.richer.whitened(), xi.copy()
+    knotted, deviations = problem.richer.damper_covariance_root(), xi.copy()
     if knotted is not None:
         places, root = list(knotted[0]), knotted[1]
-        found[places] = root @ xi[places] / np.array([one.nuisances[i].deviation for i in places])
-    return found
+        deviations[places] = root @ xi[places] / np.array([problem.nuisances[i].deviation for i in places])
+    return deviations
 
 
-def _groups(one: ModelErrorProblem, size: int) -> dict[str, Mask]:
+def _groups(problem: ModelErrorProblem, size: int) -> dict[str, Mask]:
     """Mask of the unknowns of each group of doubts."""
-    p, q = len(one.free), len(one.nuisances)
-    own = (size - p - q) // max(len(one.runs), 1)
-    names = [doubt.group for doubt in one.own] + ([] if one.align else ["lag"])
+    p, q = len(problem.free), len(problem.nuisances)
+    own = (size - p - q) // max(len(problem.runs), 1)
+    names = [doubt.group for doubt in problem.own] + ([] if problem.align else ["lag"])
     masks: dict[str, Mask] = {}
-    for i, nuisance in enumerate(one.nuisances):
+    for i, nuisance in enumerate(problem.nuisances):
         masks.setdefault(nuisance.group, np.zeros(size, dtype=bool))[p + i] = True
     for j, name in enumerate(names):
         masks.setdefault(name, np.zeros(size, dtype=bool))[p + q + j :: own] = True
@@ -1053,33 +1066,33 @@ def _groups(one: ModelErrorProblem, size: int) -> dict[str, Mask]:
 
 
 def _shares(
-    one: ModelErrorProblem, system: _System, found: _Step, slopes: Array, errors: Array
+    problem: ModelErrorProblem, system: _System, step: _Step, slopes: Array, errors: Array
 ) -> dict[str, dict[str, float]]:
     """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
-    p, q = len(one.free), len(one.nuisances)
-    covariances = {g: system.known(mask, found) for g, mask in _groups(one, len(system.prior)).items()}
-    covariances["unexplained rest"] = _without_rest(system, found)
-    shares: dict[str, dict[str, float]] = {item.path: {} for item in one.free}
+    p, q = len(problem.free), len(problem.nuisances)
+    covariances = {g: system.covariance_given(mask, step) for g, mask in _groups(problem, len(system.prior)).items()}
+    covariances["unexplained rest"] = _without_rest(system, step)
+    shares: dict[str, dict[str, float]] = {item.path: {} for item in problem.free}
     for group, covariance in covariances.items():
         variance = np.einsum("ij,jl,il->i", slopes, covariance[: p + q, : p + q], slopes)
-        for i, item in enumerate(one.free):
+        for i, item in enumerate(problem.free):
             shares[item.path][group] = float(np.clip(1.0 - variance[i] / max(errors[i] ** 2, 1e-300), 0.0, 1.0))
     return shares
 
 
-def _without_rest(system: _System, found: _Step) -> Array:
+def _without_rest(system: _System, step: _Step) -> Array:
     """Covariance of all unknowns if nothing were left unexplained."""
-    return system.known(np.zeros(len(system.prior), dtype=bool), found, rest=False)
+    return system.covariance_given(np.zeros(len(system.prior), dtype=bool), step, rest=False)
 
 
-def _share_of_rest(system: _System, found: _Step, slopes: Array, errors: Array) -> Array:
+def _share_of_rest(system: _System, step: _Step, slopes: Array, errors: Array) -> Array:
     """Share (1) of the variance of each reading that the unexplained rest brings in.
 
     Only this share is estimated from the trials, with as many degrees of freedom; priors are stated (Welch and
     Satterthwaite: JCGM 100, G.4).
     """
     size = slopes.shape[-1]
-    variance = np.einsum("kij,jl,kil->ki", slopes, _without_rest(system, found)[:size, :size], slopes)
+    variance = np.einsum("kij,jl,kil->ki", slopes, _without_rest(system, step)[:size, :size], slopes)
     return np.asarray(np.clip(1.0 - variance / np.maximum(errors**2, 1e-300), 0.0, 1.0))
 
 
@@ -1092,35 +1105,35 @@ class _Stray:
 
 
 def _free_group_by_group(
-    one: ModelErrorProblem, state: _State, system: _System, found: _Step, slopes: Array, errors: Array
+    problem: ModelErrorProblem, state: _State, system: _System, fit_step: _Step, slopes: Array, errors: Array
 ) -> tuple[str, float, dict[str, _Stray]]:
     """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
 
     Gives the group with what would then be left unexplained (1), and the doubts by name. Held by its prior a doubt
     never goes far: the rest that it leaves weakens the data until it need not.
     """
-    p, q = len(one.free), len(one.nuisances)
+    p, q = len(problem.free), len(problem.nuisances)
 
     def rest(step: _Step) -> float:
         """Energy of the unexplained part over that of the noise, mean of the channels."""
-        return float(np.mean([step.energy[n] / (_length(system, n) * found.noise[n]) for n in one.names]))
+        return float(np.mean([step.energy[n] / (_length(system, n) * fit_step.noise[n]) for n in problem.names]))
 
-    now = best = rest(found)
+    now = best = rest(fit_step)
     name, strays = "", dict[str, _Stray]()
-    for group, mask in _groups(one, len(system.prior)).items():
-        freer = system.solved(np.where(mask, _FREER * system.prior, system.prior))
+    for group, mask in _groups(problem, len(system.prior)).items():
+        freer = system.solve(np.where(mask, _FREER * system.prior, system.prior))
         left = rest(freer)
         if left < best:
             best, name = left, group
         is_pulled = group in _STATED and np.any(np.abs(state.xi[mask[p : p + q]]) > _PULLED)
         if (left > _WORTH * now and not is_pulled) or group in _WHOLE_RANGE:
             continue
-        to = _in_prior_deviations(one, state.xi + freer.step[p : p + q])
-        error = _in_prior_deviations(one, np.sqrt(np.diag(freer.covariance)[p : p + q]))
+        to = _in_prior_deviations(problem, state.xi + freer.step[p : p + q])
+        error = _in_prior_deviations(problem, np.sqrt(np.diag(freer.covariance)[p : p + q]))
         draws = np.abs(slopes @ freer.step[: p + q]) / np.maximum(errors, 1e-300)
         for i in np.flatnonzero(mask[p : p + q]):
             if abs(to[i]) > max(FAR, _SIGNIFICANT * abs(error[i])):
-                strays[one.nuisances[i].name] = _Stray(float(to[i]), draws.max(axis=0))
+                strays[problem.nuisances[i].name] = _Stray(float(to[i]), draws.max(axis=0))
     if best > _WORTH * now:
         name, best = "", now
     return name, best / (1.0 + best), strays
@@ -1147,7 +1160,7 @@ parameters that go less far held both values of the truth, and 5 of 21 of those 
 """
 
 
-def _drawn_by(strays: Mapping[str, _Stray], i: int) -> str:
+def _doubt_behind(strays: Mapping[str, _Stray], i: int) -> str:
     """Name of a doubt that leaves its prior and draws parameter ``i`` with it; empty where none does."""
     return next((name for name, stray in strays.items() if stray.draws[i] > _DRAWN), "")
 
@@ -1155,7 +1168,7 @@ def _drawn_by(strays: Mapping[str, _Stray], i: int) -> str:
 def _contradictions(
     estimates: Mapping[str, tuple[Estimate, Estimate]], bench: Mapping[str, Estimate]
 ) -> dict[str, str]:
-    found = {}
+    contradictions = {}
     for path, both in estimates.items():
         if path not in bench:
             continue
@@ -1164,12 +1177,12 @@ def _contradictions(
         half = 0.0 if tested.interval is None else 0.5 * (tested.interval[1] - tested.interval[0])
         apart, allowed = abs(0.5 * (low + high) - tested.value), float(np.hypot(0.5 * (high - low), half))
         if apart > allowed:
-            found[path] = f"{apart / max(allowed, 1e-300):.1f} times what both intervals allow"
-    return found
+            contradictions[path] = f"{apart / max(allowed, 1e-300):.1f} times what both intervals allow"
+    return contradictions
 
 
 def _hull(both: tuple[Estimate, Estimate]) -> tuple[float, float]:
-    intervals = [one.interval or (one.value, one.value) for one in both]
+    intervals = [estimate.interval or (estimate.value, estimate.value) for estimate in both]
     return min(low for low, _ in intervals), max(high for _, high in intervals)
 
 
@@ -1197,19 +1210,19 @@ def _one_sided(fit: ModelErrorFit) -> list[Finding]:
     however it bends. The line through these, weighed by their covariance, is by how much (N s/m) bump is firmer than
     the fitted coefficient, and rebound softer; the finding's value is the difference of both.
     """
-    one = fit.problem
-    knotted, coefficient = one.richer.whitened(), one.richer.rig.parameters().get(_LINE)
+    problem = fit.problem
+    knotted, coefficient = problem.richer.damper_covariance_root(), problem.richer.rig.parameters().get(_LINE)
     if knotted is None or coefficient is None:
         return []
     places, root = list(knotted[0]), knotted[1]
-    speeds = one.richer.bent_at()
+    speeds = problem.richer.knot_velocities()
     speeds = speeds[speeds > 0.0]
     seen = 0.5 * (root + root[::-1])[len(speeds) :]
-    held = [len(one.free) + i for i in places]
+    held = [len(problem.free) + i for i in places]
     weighed = np.linalg.solve(seen @ fit.step.covariance[np.ix_(held, held)] @ seen.T, speeds)
     sure = float(speeds @ weighed)
     more = float(weighed @ seen @ fit.state.xi[places]) / sure
-    line = one.runs[0].fitted(fit.state.theta).get(_LINE, coefficient)
+    line = problem.runs[0].fitted_values(fit.state.theta).get(_LINE, coefficient)
     if abs(more) < max(FAR / np.sqrt(sure), _UNLIKE * line):
         return []
     firm, soft = ("bump", "rebound") if more > 0.0 else ("rebound", "bump")
@@ -1225,7 +1238,7 @@ _UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as al
 
 def _undoubted_laws_finding(richer: ExtendedRig) -> list[Finding]:
     """Say which laws the interval takes for right."""
-    laws = richer.undoubted()
+    laws = richer.laws_as_described()
     if not laws:
         return []
     return [
@@ -1239,15 +1252,15 @@ def _undoubted_laws_finding(richer: ExtendedRig) -> list[Finding]:
 
 
 def _findings(
-    one: ModelErrorProblem, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
+    problem: ModelErrorProblem, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
     contradicted: Mapping[str, str], unexplained: Mapping[str, float], reducer: str, reduced: float,
 ) -> list[Finding]:  # fmt: skip
-    found = []
+    findings = []
     for path, by in contradicted.items():
-        found.append(finding("identify.bench_contradicted", path, by=by))
+        findings.append(finding("identify.bench_contradicted", path, by=by))
     for name, stray in strays.items():
-        drawn = [item.path for item, draw in zip(one.free, stray.draws, strict=True) if draw > _DRAWN]
-        if len(drawn) == len(one.free):
+        drawn = [item.path for item, draw in zip(problem.free, stray.draws, strict=True) if draw > _DRAWN]
+        if len(drawn) == len(problem.free):
             outcome = finding("identify.none_identified", "")
         else:
             code = "identify.not_identified" if drawn else "identify.none_depends"
@@ -1257,32 +1270,32 @@ def _findings(
         if doubted.group in _STATED and doubted.unit == "1":
             share = stray.to * doubted.deviation
             code = "identify.wants_to_be_lower" if share < 0.0 else "identify.wants_to_be_higher"
-            found.append(finding(code, name, stray.to, share=abs(share), **numbers))
+            findings.append(finding(code, name, stray.to, share=abs(share), **numbers))
         else:
-            found.append(finding("identify.wants_to_be_off", name, stray.to, **numbers))
+            findings.append(finding("identify.wants_to_be_off", name, stray.to, **numbers))
     worst = max(unexplained, key=lambda name: unexplained[name])
     if unexplained[worst] > USEFUL:
         code = "identify.more_freedom" if reducer else "identify.unexplained"
         share = unexplained[worst]
-        found.append(finding(code, worst, share, share=share, freed=reducer, left=reduced))
-    return found
+        findings.append(finding(code, worst, share, share=share, freed=reducer, left=reduced))
+    return findings
 
 
 _INPUTS = ("speeds", "height", "contact_patch", "presliding", "arms")
 
 
-def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
+def _ride_extent(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
     """Static deflections and the largest strut velocity of a trial, by the rig with its fitted values."""
     plain = prepared.compiled.plain
     start = plain.parameter_values({**prepared.source.rig.parameters(), **fitted})
     solution = replace(prepared, compiled=plain, start=start).solve(np.zeros(0), 1e-5)
     names = prepared.compiled.output_names
 
-    def seen(name: str) -> Array:
+    def output(name: str) -> Array:
         return solution.outputs[names.index(name)] if name in names else np.zeros(1)
 
-    velocity = float(np.max(np.abs(seen("strut.velocity"))))
-    return RideExtent(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
+    velocity = float(np.max(np.abs(output("strut.velocity"))))
+    return RideExtent(float(output("strut.deflection")[0]), float(output("tyre.deflection")[0]), max(velocity, 1e-3))
 
 
 # what draws predict -----------------------------------------------------------------------------------------------
@@ -1291,43 +1304,43 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
 class DrawnRun:
     """A trial, fitted or not, simulated with the extended model for draws of its unknowns."""
 
-    def __init__(self, found: ModelErrorFit, one: ModelErrorProblem, place: int, fitted: int | None) -> None:
-        self.found, self.problem, self.run, self.fitted = found, one, one.runs[place], fitted
+    def __init__(self, fit: ModelErrorFit, problem: ModelErrorProblem, place: int, fitted: int | None) -> None:
+        self.fit, self.problem, self.run, self.fitted = fit, problem, problem.runs[place], fitted
         self.channels, self.rate = self.run.channels, self.run.prepared.rate
         self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
-        state = self._state(found.state.theta, np.zeros(len(found.step.step) - len(found.problem.free)), None)
-        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), one.inputs(state, 0))
+        state = self._state(fit.state.theta, np.zeros(len(fit.step.step) - len(fit.problem.free)), None)
+        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), problem.inputs(state, 0))
         self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
 
     def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
         """Unknowns of this trial; those that no fitted trial knows are drawn from their priors, or are as meant."""
-        found, one = self.found, self.problem
-        q, names = len(found.problem.nuisances), found.problem.place
-        known = found.state.xi + step[:q]
+        fit, problem = self.fit, self.problem
+        q, names = len(fit.problem.nuisances), fit.problem.place
+        known = fit.state.xi + step[:q]
 
-        def drawn(count: int) -> Array:
+        def draw(count: int) -> Array:
             return np.zeros(count) if rng is None else rng.normal(size=count)
 
-        xi, own = drawn(len(one.nuisances)), drawn(len(one.own))
-        for i, nuisance in enumerate(one.nuisances):
+        xi, own = draw(len(problem.nuisances)), draw(len(problem.own))
+        for i, nuisance in enumerate(problem.nuisances):
             if nuisance.name in names:
                 xi[i] = known[names[nuisance.name]]
         if self.fitted is not None:
-            mine = step[q:].reshape(len(found.problem.runs), -1)[self.fitted]
-            own = found.state.own[self.fitted] + mine[: len(found.problem.own)]
+            mine = step[q:].reshape(len(fit.problem.runs), -1)[self.fitted]
+            own = fit.state.own[self.fitted] + mine[: len(fit.problem.own)]
         return _State(theta, xi, own[None, :], np.array([self._lag(step, rng)]))
 
     def _lag(self, step: Array, rng: np.random.Generator | None) -> float:
         """Lag (s) of the recording where lags are not fitted; where they are, that which fits best is looked for."""
-        found, unsure = self.found, _LAG_UNSURE / self.rate
+        fit, unsure = self.fit, _LAG_UNSURE / self.rate
         if self.problem.align:
             return 0.0
         if self.fitted is None:
             return 0.0 if rng is None else unsure * float(rng.normal())
-        mine = step[len(found.problem.nuisances) :].reshape(len(found.problem.runs), -1)[self.fitted]
-        return float(found.state.lags[self.fitted] + unsure * mine[-1])
+        mine = step[len(fit.problem.nuisances) :].reshape(len(fit.problem.runs), -1)[self.fitted]
+        return float(fit.state.lags[self.fitted] + unsure * mine[-1])
 
-    def drawn(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
+    def draw(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
         """Reading of each channel for scaled parameters and a step of the uncertain inputs, without fitted lags."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
@@ -1340,16 +1353,16 @@ class DrawnRun:
         return readings
 
 
-def extended_runs(found: ModelErrorFit, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
+def extended_runs(fit: ModelErrorFit, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
     """Trials ready to be simulated with the extended model, fitted ones with the knowledge of each."""
-    places = {run.prepared.source.name: i for i, run in enumerate(found.problem.runs)}
+    places = {run.prepared.source.name: i for i, run in enumerate(fit.problem.runs)}
     for trial in trials:
-        one = found.problem.with_trial(trial, replace(found.problem.settings, tolerance=1e-6))
-        yield DrawnRun(found, one, 0, places.get(trial.name))
+        problem = fit.problem.with_trial(trial, replace(fit.problem.settings, tolerance=1e-6))
+        yield DrawnRun(fit, problem, 0, places.get(trial.name))
 
 
 def candidate_information(
-    found: ModelErrorFit,
+    fit: ModelErrorFit,
     trial: FitTrial,
     noise: Mapping[str, float],
     rest: Mapping[str, float],
@@ -1359,22 +1372,23 @@ def candidate_information(
     ``noise`` is the variance of each channel's noise (SI), ``rest`` what nothing explains, over the energy of the
     signal (1). What is in doubt of this trial alone is integrated out.
     """
-    settings = replace(found.problem.settings, weights="printed", tolerance=found.problem.tolerance)
-    one = found.problem.with_trial(trial, settings)
-    p, q = len(one.free), len(found.problem.nuisances)
-    xi = np.zeros(len(one.nuisances))
-    places = {i: found.problem.place[n.name] for i, n in enumerate(one.nuisances) if n.name in found.problem.place}
+    settings = replace(fit.problem.settings, weights="printed", tolerance=fit.problem.tolerance)
+    problem = fit.problem.with_trial(trial, settings)
+    p, q = len(problem.free), len(fit.problem.nuisances)
+    xi = np.zeros(len(problem.nuisances))
+    places = {i: fit.problem.place[n.name] for i, n in enumerate(problem.nuisances) if n.name in fit.problem.place}
     for i, place in places.items():
-        xi[i] = found.state.xi[place]
-    state = _State(found.state.theta, xi, np.zeros((1, len(one.own))), np.zeros(1))
-    blocks, _ = one.blocks(state)
-    system = one.system(blocks, state)
+        xi[i] = fit.state.xi[place]
+    state = _State(fit.state.theta, xi, np.zeros((1, len(problem.own))), np.zeros(1))
+    blocks, _ = problem.blocks(state)
+    system = problem.system(blocks, state)
     information = np.diag(system.prior)
     shared = [*range(p), *(p + i for i in places)]
     information[shared, shared] = 0.0  # their priors are in what is known already
     for block in blocks:
         moved = (
-            block.residual - one.runs[0].channels[[c.name for c in one.runs[0].channels].index(block.channel)].measured
+            block.residual
+            - problem.runs[0].channels[[c.name for c in problem.runs[0].channels].index(block.channel)].measured
         )
         variance = noise[block.channel] + rest[block.channel] * float(np.sum((moved - moved[0]) ** 2))
         information = information + system.normal[block.channel][0] / variance

@@ -65,14 +65,14 @@ def estimate(value: float, standard_error: float | None, degrees_of_freedom: flo
     return Estimate(float(value), float(standard_error), (float(value - half), float(value + half)))
 
 
-def at_least_zero(found: Estimate) -> Estimate:
+def at_least_zero(given: Estimate) -> Estimate:
     """Cut value and interval of a quantity that cannot be negative at zero; the standard error stays.
 
     >>> at_least_zero(Estimate(-1.0, 1.0, (-3.0, 1.0)))
     Estimate(value=0.0, standard_error=1.0, interval=(0.0, 1.0))
     """
-    interval = None if found.interval is None else (max(0.0, found.interval[0]), max(0.0, found.interval[1]))
-    return Estimate(max(0.0, found.value), found.standard_error, interval)
+    interval = None if given.interval is None else (max(0.0, given.interval[0]), max(0.0, given.interval[1]))
+    return Estimate(max(0.0, given.value), given.standard_error, interval)
 
 
 def mean_of_replicates(values: list[float], *, value: float | None = None) -> Estimate:
@@ -102,8 +102,8 @@ def combine(estimates: Sequence[Estimate]) -> Estimate:
     """
     if len(estimates) == 1:
         return estimates[0]
-    values = np.array([one.value for one in estimates])
-    errors = np.array([one.standard_error or 0.0 for one in estimates])
+    values = np.array([item.value for item in estimates])
+    errors = np.array([item.standard_error or 0.0 for item in estimates])
     freedom = len(values) - 1
     if np.any(errors <= 0.0):
         return estimate(float(values.mean()), float(values.std(ddof=1)) / math.sqrt(len(values)), freedom)
@@ -135,7 +135,7 @@ class Uncertainty:
         errors = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
         return tuple(estimate(float(v), float(e), self.degrees_of_freedom) for v, e in zip(values, errors, strict=True))
 
-    def derived(self, value: float, gradient: Array) -> Estimate:
+    def propagate(self, value: float, gradient: Array) -> Estimate:
         """Estimate of a quantity computed from the parameters (first-order propagation)."""
         if not np.all(np.isfinite(self.covariance)):
             return Estimate(value)

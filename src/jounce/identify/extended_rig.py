@@ -89,14 +89,14 @@ class ExtendedRig:
         self._others(used)
 
     @property
-    def described(self) -> Rig:
+    def description(self) -> Rig:
         """The extended rig's description, with the values of the rig."""
         return type(self.rig).from_table(self._table)
 
     def of(self, rig: Rig) -> Rig:
         """The extended description of another set-up of the same rig (angle, pressure)."""
         table = rig.model_dump(by_alias=True, exclude_none=True)
-        return type(rig).from_table(_merged(self._table, table, self._replaced()))
+        return type(rig).from_table(_merge(self._table, table, self._own_tables()))
 
     def columns(self) -> tuple[str, ...]:
         """Paths of the extended rig that change with fitted parameters and nuisances."""
@@ -118,7 +118,7 @@ class ExtendedRig:
         """Parameters of the extended rig by path, from those of a set-up, fitted ones and nuisances."""
         p = self.plain(values, fitted, xi)
         moving = (*self.free, *self._shares.values(), *self._added.values(), *self._factors.values())
-        gone = self._gone()
+        gone = self._absent_paths()
         out = {path: p[path] for path in moving if path not in gone}
         if self._knots is not None:
             force = self.damper_force(p, xi, self._knots)
@@ -151,8 +151,8 @@ class ExtendedRig:
         bends = [self.nuisances[i].mean + self.nuisances[i].deviation * xi[i] for i in places]
         square = rate * bends[0] / (2.0 * rest)
         cube = rate * bends[1] / (3.0 * rest**2) if len(bends) > 1 else 0.0
-        found = [rate - 2.0 * square * rest - 3.0 * cube * rest**2, square]
-        return [*found, cube] if len(bends) > 1 else found
+        coefficients = [rate - 2.0 * square * rest - 3.0 * cube * rest**2, square]
+        return [*coefficients, cube] if len(bends) > 1 else coefficients
 
     def elastic_force(self, part: str, p: Mapping[str, float], xi: Array, deflection: Array) -> Array:
         """Force in N of spring or tyre at deflections (m), without preload."""
@@ -173,8 +173,8 @@ class ExtendedRig:
         for path, value in self.values.items():
             if not path.endswith("mass") or path not in used or path in self.free or value <= 0.0:
                 continue
-            told = "stated" if isinstance(self.rig, Corner) else "lumped"
-            group = "estimated" if self.rig.is_estimated(path) else told
+            source = "stated" if isinstance(self.rig, Corner) else "lumped"
+            group = "estimated" if self.rig.is_estimated(path) else source
             share, group = self._own(path, getattr(self.doubt, group), group)
             i = self._add(path, group, share)
             if i is not None:
@@ -194,7 +194,7 @@ class ExtendedRig:
                 self._added[i] = angle
         for path in self.doubt.values:
             share = own_doubt(self.rig, path, self.doubt.values[path], "doubt.values")
-            if path in self._shares.values() or path in self.free or path in self._gone():
+            if path in self._shares.values() or path in self.free or path in self._absent_paths():
                 continue
             if path not in used:
                 raise DescriptionError("not a number of the equations", where=f"doubt.values: {path}")
@@ -230,18 +230,18 @@ class ExtendedRig:
         force = self.damper_force(self.values, np.zeros(len(self.nuisances)), knots)
         self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
 
-    def undoubted(self) -> list[str]:
+    def laws_as_described(self) -> list[str]:
         """Laws of the rig that are assumed to be as described."""
         if not self.has_laws:
             return ["dampers", "friction", "springs", "tyres"]
-        found = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
-        return [*found, *(["tyre"] if "tyre" not in self._curved and self.doubt.tyre_curvature > 0.0 else [])]
+        laws = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
+        return [*laws, *(["tyre"] if "tyre" not in self._curved and self.doubt.tyre_curvature > 0.0 else [])]
 
-    def whitened(self) -> tuple[tuple[int, ...], Array] | None:
+    def damper_covariance_root(self) -> tuple[tuple[int, ...], Array] | None:
         """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
         return self._knotted
 
-    def bent_at(self) -> Array:
+    def knot_velocities(self) -> Array:
         """Strut velocities (m/s) of the damper's uncertain forces: as far in rebound as in bump."""
         return np.zeros(0) if self._knots is None else self._knots[self._knots != 0.0]
 
@@ -304,12 +304,12 @@ class ExtendedRig:
         table.pop(law)
         table["curve"] = {"kind": "polynomial", "coefficients": (1.0,) * (1 + len(places))}
 
-    def _replaced(self) -> set[str]:
+    def _own_tables(self) -> set[str]:
         """Tables that are the richer rig's own."""
         parts = {f"{part}.curve" for part in self._curved}
         return parts | ({"strut.damper"} if self._knots is not None else set())
 
-    def _gone(self) -> set[str]:
+    def _absent_paths(self) -> set[str]:
         """Paths of the rig that the richer one does not have."""
         gone = {
             f"{part}.{law}" for part, law in (("strut.spring", "rate"), ("tyre", "stiffness")) if part in self._curved
@@ -332,19 +332,19 @@ def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
     return share
 
 
-def _merged(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = "") -> dict[str, Any]:
+def _merge(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = "") -> dict[str, Any]:
     """Values of ``plain`` in the shape of ``richer``; tables in ``own`` and what ``plain`` lacks are the richer's."""
-    found = {}
+    merged = {}
     for key, value in richer.items():
         path = f"{prefix}{key}"
         other = plain.get(key)
         if path in own or key not in plain:
-            found[key] = value
+            merged[key] = value
         elif isinstance(value, dict) and isinstance(other, dict):
-            found[key] = _merged(value, other, own, f"{path}.")
+            merged[key] = _merge(value, other, own, f"{path}.")
         else:
-            found[key] = other
-    return found
+            merged[key] = other
+    return merged
 
 
 def _straight(x: Array, knots: Array, values: Array) -> Array:

@@ -132,7 +132,7 @@ class FreeParameter:
         """Value at a scaled coordinate."""
         return 0.5 * (self.upper + self.lower) + self.half_range * scaled
 
-    def scaled(self, value: float) -> float:
+    def scale(self, value: float) -> float:
         """Scaled coordinate of a value."""
         return (value - 0.5 * (self.upper + self.lower)) / self.half_range
 
@@ -154,7 +154,7 @@ class Unknown(Protocol):
         """Whether it affects a trial."""
         ...
 
-    def applied(self, trial: FitTrial, found: float) -> FitTrial:
+    def apply_to(self, trial: FitTrial, value: float) -> FitTrial:
         """The trial with this value."""
         ...
 
@@ -188,12 +188,12 @@ class Channel:
             table[:, 0] += self.measured[seen].mean()
             slope = slope - slope[seen if len(slope) > 1 else slice(None)].mean()
         if self.frozen is not None:
-            table, slope = table.copy(), self.seen(slope)
+            table, slope = table.copy(), self.mask_frozen(slope)
             table[self.frozen] = 0.0
             table[self.frozen, 0] = self.measured[self.frozen]
         return table, slope
 
-    def seen(self, slope: Array) -> Array:
+    def mask_frozen(self, slope: Array) -> Array:
         """A slope of the reading, 0 where the record is frozen."""
         return slope if self.frozen is None else np.where(self.frozen, 0.0, slope)
 
@@ -331,9 +331,9 @@ class UpdateProblem:
 
     def coarser(self, tolerance: float) -> UpdateProblem:
         """The same problem with coarser simulations, and its own count."""
-        found = copy(self)
-        found.tolerance, found.evaluations, found._last = max(tolerance, self.tolerance), 0, None
-        return found
+        problem = copy(self)
+        problem.tolerance, problem.evaluations, problem._last = max(tolerance, self.tolerance), 0, None
+        return problem
 
     @property
     def size(self) -> int:
@@ -361,14 +361,19 @@ class UpdateProblem:
     def _step(self) -> dict[str, Any]:
         """The last evaluation for whoever watches: objective, and parameters within their bounds (SI)."""
         assert self._last is not None
-        key, found = self._last
+        key, residuals = self._last
         values = self.values(np.frombuffer(key))
         return {
             "evaluation": self.evaluations,
-            "objective": float(found.vector @ found.vector),
+            "objective": float(residuals.vector @ residuals.vector),
             "parameters": {
-                one.path: {"value": float(value), "initial": one.initial, "lower": one.lower, "upper": one.upper}
-                for one, value in zip(self.free, values, strict=True)
+                parameter.path: {
+                    "value": float(value),
+                    "initial": parameter.initial,
+                    "lower": parameter.lower,
+                    "upper": parameter.upper,
+                }
+                for parameter, value in zip(self.free, values, strict=True)
             },
         }
 
@@ -384,9 +389,9 @@ class UpdateProblem:
             scales = np.array([f.half_range * factor for f, factor in zip(self.free, trial.factors, strict=True)])
             tables = self._tables(trial, values, scaled[len(self.free) :])
             scales = np.concatenate([scales, np.ones(len(self.nuisances))])
-            lag, found = self._aligned(trial, tables)
+            lag, aligned = self._align(trial, tables)
             begin = at
-            for channel, (table, slope) in zip(trial.channels, found, strict=True):
+            for channel, (table, slope) in zip(trial.channels, aligned, strict=True):
                 vectors.append(channel.weight * (channel.measured - table[:, 0]))
                 jacobians.append(-channel.weight * scales * table[:, 1:])
                 slopes.append(-channel.weight * slope)
@@ -412,14 +417,14 @@ class UpdateProblem:
 
         ``change`` gives a trial with so much more (``step`` to either side), or None where it does not concern it.
         """
-        values, lags, found = self.values(scaled), self.residuals(scaled).lags, list[Array]()
+        values, lags, columns = self.values(scaled), self.residuals(scaled).lags, list[Array]()
         for trial, lag in zip(self.trials, lags, strict=True):
             source, sides = trial.source, []
             if change(source, step) is None:
-                found += [np.zeros(len(channel.measured)) for channel in trial.channels]
+                columns += [np.zeros(len(channel.measured)) for channel in trial.channels]
                 continue
-            for one, place in zip(self.nuisances, scaled[len(self.free) :], strict=True):
-                source = one.applied(source, one.free.value(place))
+            for nuisance, place in zip(self.nuisances, scaled[len(self.free) :], strict=True):
+                source = nuisance.apply_to(source, nuisance.free.value(place))
             for more in (step, -step):
                 moved = replace(trial, source=change(source, more) or source)
                 solution = moved.solve(values, self.tolerance)
@@ -428,8 +433,8 @@ class UpdateProblem:
             for channel, above, below in zip(trial.channels, *sides, strict=True):
                 slope = (above - below) / (2.0 * step)
                 slope = slope - (slope.mean() if channel.datum == "free offset" else 0.0)
-                found.append(-channel.weight * channel.seen(slope))
-        return np.concatenate(found)
+                columns.append(-channel.weight * channel.mask_frozen(slope))
+        return np.concatenate(columns)
 
     def _tables(self, trial: Prepared, values: Array, scaled: Array) -> list[Array]:
         """Readings of the channels, and their derivatives by the parameters and, scaled, by the nuisances."""
@@ -437,8 +442,8 @@ class UpdateProblem:
 
         def tables(at: Array) -> list[Array]:
             source = trial.source
-            for one, place in zip(self.nuisances, at, strict=True):
-                source = one.applied(source, one.free.value(place))
+            for nuisance, place in zip(self.nuisances, at, strict=True):
+                source = nuisance.apply_to(source, nuisance.free.value(place))
             channels = [replace(channel, sensor=source.sensors.get(channel.name)) for channel in trial.channels]
             moved = replace(trial, source=source) if self.nuisances else trial
             run = (source.trial.speed, *source.offset.values())
@@ -446,17 +451,17 @@ class UpdateProblem:
                 solutions[run] = moved.solve(values, self.tolerance)
             return [moved.table(channel, solutions[run]) for channel in channels]
 
-        found = tables(scaled)
+        readings = tables(scaled)
         for nuisance, aside in zip(self.nuisances, _ASIDE * np.eye(len(self.nuisances)), strict=True):
             if nuisance.concerns(trial.source):
                 above, below = tables(scaled + aside), tables(scaled - aside)
-                slopes = [(one[:, :1] - other[:, :1]) / (2.0 * _ASIDE) for one, other in zip(above, below, strict=True)]
+                slopes = [(high[:, :1] - low[:, :1]) / (2.0 * _ASIDE) for high, low in zip(above, below, strict=True)]
             else:
-                slopes = [np.zeros((len(table), 1)) for table in found]
-            found = [np.hstack([table, slope]) for table, slope in zip(found, slopes, strict=True)]
-        return found
+                slopes = [np.zeros((len(table), 1)) for table in readings]
+            readings = [np.hstack([table, slope]) for table, slope in zip(readings, slopes, strict=True)]
+        return readings
 
-    def _aligned(self, trial: Prepared, tables: list[Array]) -> tuple[float, list[tuple[Array, Array]]]:
+    def _align(self, trial: Prepared, tables: list[Array]) -> tuple[float, list[tuple[Array, Array]]]:
         """Lag of a trial's recording, and each channel's table there with the slope by the lag (0 where held)."""
         both = list(zip(trial.channels, tables, strict=True))
         if not self.align:
@@ -467,8 +472,8 @@ class UpdateProblem:
         ]
         lag = best_lag(shifted, self.lag_bound)
         free = float(abs(lag) < self.lag_bound * _FREE_LAG)
-        found = zip(trial.channels, (one.at(lag) for one in shifted), strict=True)
-        return lag, [channel.offset(table, free * slope) for channel, (table, slope) in found]
+        aligned = zip(trial.channels, (signal.at(lag) for signal in shifted), strict=True)
+        return lag, [channel.offset(table, free * slope) for channel, (table, slope) in aligned]
 
 
 def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
@@ -492,11 +497,11 @@ class Simulated:
         """Channel to (time in s, measured, simulated), SI; the recording lags by ``lag`` (s)."""
         prepared = self.prepared
         time = self.trial.measured["time"].to_numpy()
-        found = {}
+        signals = {}
         for channel in prepared.channels:
             shifted = shift_signals(prepared.table(channel, self.solution), prepared.rate, lag)
-            found[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
-        return found
+            signals[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
+        return signals
 
     def outputs(self, lag: float = 0.0) -> dict[str, Array]:
         """Every output of the model (SI) at the recording's instants, without sensors; delayed by ``lag`` (s).
@@ -507,7 +512,7 @@ class Simulated:
         times = self.prepared.times
         at = times[-len(self.trial.measured["time"]) :] - lag
         names = self.prepared.compiled.output_names
-        return {name: np.interp(at, times, one) for name, one in zip(names, self.solution.outputs, strict=True)}
+        return {name: np.interp(at, times, output) for name, output in zip(names, self.solution.outputs, strict=True)}
 
 
 def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings) -> Prepared:
@@ -630,7 +635,7 @@ def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") ->
     """Read the free parameters and their bounds against a rig's values, SI; bounds must not exclude the start."""
     check_free(rig, free, where=where)
     values = rig.parameters()
-    found = []
+    parameters = []
     for path, bounds in free.items():
         initial, place = values[path], f"{where}: {path}"
         lower, upper = _range(bounds, initial, unit_of(rig, path), place)
@@ -642,8 +647,8 @@ def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") ->
                 allowed=Phrase("{lower:g} to {upper:g}", lower=lower, upper=upper),
                 hint="Move the bounds or the start value.",
             )
-        found.append(FreeParameter(path, initial, lower, upper))
-    return tuple(found)
+        parameters.append(FreeParameter(path, initial, lower, upper))
+    return tuple(parameters)
 
 
 def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: int = 0) -> None:

@@ -16,7 +16,7 @@ from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
-from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, spoken
+from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, unit_in_words
 from jounce.identify.signals import zigzag
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
@@ -178,7 +178,7 @@ def _compression_positive(
 ) -> tuple[Array, Array]:
     motion = MOTIONS[trial.motion]
 
-    def turned(word: str, stated: str | None, key: str, code: str) -> None:
+    def note_reversal(word: str, stated: str | None, key: str, code: str) -> None:
         if stated is None:
             code = "identify.sign_reversed" if motion.name == "translation" else "identify.sign_of_loading_reversed"
         findings.append(finding(code, trial.name, word=word, key=key, stated=stated))
@@ -188,12 +188,14 @@ def _compression_positive(
     away = deflection - deflection[0]
     if -away.min() > away.max():
         deflection = -deflection
-        turned(motion.deflection_word, trial.stroke_positive, "stroke_positive", "identify.stated_stroke_reversed")
+        note_reversal(
+            motion.deflection_word, trial.stroke_positive, "stroke_positive", "identify.stated_stroke_reversed"
+        )
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        turned(motion.force_word, trial.force_positive, "force_positive", "identify.stated_force_reversed")
+        note_reversal(motion.force_word, trial.force_positive, "force_positive", "identify.stated_force_reversed")
     return deflection, force
 
 
@@ -235,7 +237,7 @@ def _first_contact(
                 travel,
                 travel=motion.say(travel),
                 offset=offset,
-                unit=spoken(motion.force),
+                unit=unit_in_words(motion.force),
             )
         )
         return contact, offset, last + 1
@@ -249,7 +251,7 @@ def _first_contact(
                 name,
                 force[0],
                 force=force[0],
-                unit=spoken(motion.force),
+                unit=unit_in_words(motion.force),
                 word=motion.deflection_word,
             )
         )
@@ -265,8 +267,8 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
         return False
     flat = slice(0, last + 1)
     regressors = np.column_stack([deflection[flat], np.ones(last + 1)])
-    found, _, spread = linear_least_squares(regressors, force[flat])
-    upper = float(found[0]) + 2.0 * float(np.sqrt(spread.covariance[0, 0]))
+    coefficients, _, spread = linear_least_squares(regressors, force[flat])
+    upper = float(coefficients[0]) + 2.0 * float(np.sqrt(spread.covariance[0, 0]))
     # A tenth of the mean stiffness: a soft start of a spring is stiffer.
     return upper < 0.1 * float(np.ptp(force[: turn + 1])) / stroke
 
@@ -286,7 +288,7 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
             drop,
             force_name=motion.force_word,
             drop=drop,
-            unit=spoken(motion.force),
+            unit=unit_in_words(motion.force),
             word=motion.deflection_word,
         )
     ]
@@ -301,16 +303,16 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
     x = (deflection[::thin] - deflection[0]) / float(np.ptp(deflection))
     f = force[::thin]
 
-    def left(*columns: Array) -> tuple[float, Array]:
+    def misfit(*columns: Array) -> tuple[float, Array]:
         matrix = np.column_stack([np.ones_like(x), x, *columns])
-        found = np.linalg.lstsq(matrix, f, rcond=None)[0]
-        return float(np.sum((f - matrix @ found) ** 2)), found
+        factors = np.linalg.lstsq(matrix, f, rcond=None)[0]
+        return float(np.sum((f - matrix @ factors) ** 2)), factors
 
     places = np.linspace(0.1, 0.9, 81)
-    bent = min([left(x**2, x**3)[0], *(left(np.maximum(x - place, 0.0))[0] for place in places)])
-    tried = [(*left(np.clip((x - place) / width, 0.0, 1.0)), place) for place in places for width in _SLIDES]
+    bent = min([misfit(x**2, x**3)[0], *(misfit(np.maximum(x - place, 0.0))[0] for place in places)])
+    tried = [(*misfit(np.clip((x - place) / width, 0.0, 1.0)), place) for place in places for width in _SLIDES]
     # A step must stand out of the noise by three standard deviations, as well as of the range.
-    slid, (_, slope, step), place = min(tried, key=lambda one: one[0])
+    slid, (_, slope, step), place = min(tried, key=lambda attempt: attempt[0])
     lost, noise = -float(step), math.sqrt(slid / len(x))
     if slid > _SLIPPED * bent or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise) or slope <= 0.0:
         return []
@@ -323,11 +325,11 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
             lost,
             force_name=motion.force_word,
             lost=lost,
-            unit=spoken(motion.force),
+            unit=unit_in_words(motion.force),
             begin=motion.say(begin),
             slip=motion.say(lost / rate, 2),
             rate=rate,
-            rate_unit=spoken(motion.stiffness),
+            rate_unit=unit_in_words(motion.stiffness),
         )
     ]
 
@@ -355,7 +357,7 @@ def _out_of_range(trial: SeatedTrial) -> list[Finding]:
             over,
             force_name=motion.force_word,
             top=force.max(),
-            unit=spoken(motion.force),
+            unit=unit_in_words(motion.force),
             over=motion.say(over),
             begin=motion.say(float(deflection[top].min())),
         )
@@ -372,7 +374,8 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     back = trial.turn + int(np.argmin(np.abs(end - deflection[0])))
     if abs(float(deflection[back] - deflection[0])) > _TOP * stroke or len(force) - trial.turn < _FEWEST_FLAT:
         return []
-    slope, (unit, rate) = float(np.ptp(force)) / stroke, (spoken(trial.motion.force), spoken(trial.motion.stiffness))
+    slope = float(np.ptp(force)) / stroke
+    unit, rate = unit_in_words(trial.motion.force), unit_in_words(trial.motion.stiffness)
     less = force - slope * (deflection - deflection[0])
     gained = float(np.median(less[max(back - 2, trial.turn + 1) : back + 3]) - np.median(less[:5]))
     if abs(gained) < _NO_DRIFT * float(force.max()):

@@ -79,8 +79,8 @@ def alternating(away: Array) -> Array:
     """
     turned = away * np.sign(away[0]) * (-1.0) ** np.arange(len(away))
     wrong = np.flatnonzero(turned <= 0.0)
-    kept: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
-    return kept
+    amplitudes: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
+    return amplitudes
 
 
 @dataclass(frozen=True)

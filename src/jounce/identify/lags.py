@@ -71,8 +71,8 @@ class Shifted:
     def _reading(self, at: Array, order: int) -> Array:
         from scipy.interpolate import PPoly
 
-        one = PPoly.construct_fast(self.table.c[..., 0], self.table.x)
-        return np.asarray(one(at, order))
+        piecewise = PPoly.construct_fast(self.table.c[..., 0], self.table.x)
+        return np.asarray(piecewise(at, order))
 
 
 def _window_sums(values: Array, width: int) -> Array:

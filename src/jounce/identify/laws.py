@@ -36,19 +36,24 @@ class States:
         """Read them from a simulation; states that the model does not have are zero."""
         names, time = compiled.output_names, solution.time
 
-        def seen(name: str) -> Array:
+        def output(name: str) -> Array:
             return solution.outputs[names.index(name)] if name in names else np.zeros(len(time))
 
-        tyre = seen("tyre.deflection")
+        tyre = output("tyre.deflection")
         return cls(
-            time, seen("strut.deflection"), seen("strut.velocity"), tyre, np.gradient(tyre, time), seen("sprung.vz")
+            time,
+            output("strut.deflection"),
+            output("strut.velocity"),
+            tyre,
+            np.gradient(tyre, time),
+            output("sprung.vz"),
         )
 
     @classmethod
-    def joined(cls, all_of: Sequence[States], every: int = 1) -> States:
+    def join(cls, all_of: Sequence[States], every: int = 1) -> States:
         """Rides one after another, every so many samples."""
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
-        return cls(*(np.concatenate([getattr(one, name)[::every] for one in all_of]) for name in names))
+        return cls(*(np.concatenate([getattr(ride, name)[::every] for ride in all_of]) for name in names))
 
     def sliding(self, velocity: Array, over: float = SLIDING_OVER) -> Array:
         """Share of a presliding force between -1 and 1 after Dahl: it builds up over travel (m), at any velocity."""
@@ -70,8 +75,8 @@ class Laws:
 
     def __init__(self, richer: ExtendedRig, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer
-        self.seen = States.joined(states, every)
-        self.sliding = np.concatenate([one.sliding(one.velocity)[::every] for one in states])
+        self.seen = States.join(states, every)
+        self.sliding = np.concatenate([ride.sliding(ride.velocity)[::every] for ride in states])
         self._states, self._every = states, every
         self._built_up: dict[float, Array] = {}
         self._plain = richer.rig.parameters()
@@ -145,7 +150,7 @@ class Laws:
     def _guide_built_up(self, over: float) -> Array:
         """Share of its force (1) that friction of the guide has built up where it takes so much travel (m)."""
         if over not in self._built_up:
-            parts = [one.sliding(one.body, over)[:: self._every] for one in self._states]
+            parts = [ride.sliding(ride.body, over)[:: self._every] for ride in self._states]
             self._built_up[over] = np.concatenate(parts)
         return self._built_up[over]
 

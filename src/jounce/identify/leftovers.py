@@ -67,7 +67,11 @@ def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligne
         _drift(channel, parts, left, trials),
         _delay(channel, parts, left, trials, longest, is_aligned=is_aligned),
     ]
-    return [max(found, key=lambda one: one[0])[1]] if (found := [one for one in candidates if one is not None]) else []
+    return (
+        [max(causes, key=lambda cause: cause[0])[1]]
+        if (causes := [cause for cause in candidates if cause is not None])
+        else []
+    )
 
 
 _FEWEST = 20  # samples, below which no pattern is looked for
@@ -107,10 +111,14 @@ def _delay(
     rate = min(part.rate for part in parts)
     beside = [Shifted.of(part.measured, part.read[:, None], 1.0, part.rate, offset=True) for part in parts]
     is_alike = len({(len(part.read), part.rate) for part in parts}) == 1
-    lag = best_lag(beside, longest) if is_alike else float(np.median([best_lag([one], longest) for one in beside]))
+    lag = (
+        best_lag(beside, longest)
+        if is_alike
+        else float(np.median([best_lag([shifted], longest) for shifted in beside]))
+    )
     after = 0.0
-    for part, one in zip(parts, beside, strict=True):
-        rest = part.measured - one.at(lag)[0][:, 0]
+    for part, shifted in zip(parts, beside, strict=True):
+        rest = part.measured - shifted.at(lag)[0][:, 0]
         after += float(np.sum((rest - rest.mean()) ** 2))
     share = 1.0 - after / left
     if share < _DELAY or abs(lag) * rate < _SAMPLES:

@@ -46,17 +46,17 @@ class Polynomial:
     @staticmethod
     def terms(count: int, degree: int) -> NDArray[np.int64]:
         """Powers of all terms up to a degree."""
-        chosen = [one for d in range(degree + 1) for one in combinations_with_replacement(range(count), d)]
-        return np.array([[one.count(i) for i in range(count)] for one in chosen], dtype=np.int64)
+        chosen = [term for d in range(degree + 1) for term in combinations_with_replacement(range(count), d)]
+        return np.array([[term.count(i) for i in range(count)] for term in chosen], dtype=np.int64)
 
     @staticmethod
     def rows(powers: NDArray[np.int64], u: Array) -> Array:
         """Values of the terms at points (n, variables), shape (n, terms)."""
         table = np.stack([u**k for k in range(int(powers.max(initial=0)) + 1)])
-        found = np.ones((len(u), len(powers)))
+        values = np.ones((len(u), len(powers)))
         for i in range(u.shape[1]):
-            found *= table[powers[:, i], :, i].T
-        return found
+            values *= table[powers[:, i], :, i].T
+        return values
 
     @staticmethod
     def slope_rows(powers: NDArray[np.int64], u: Array, i: int) -> Array:
@@ -81,21 +81,21 @@ class Polynomial:
         return np.asarray(self.rows(self.powers, u) @ self.coefficients)
 
     @cached_property
-    def _derived(self) -> Array:
+    def _derivatives(self) -> Array:
         """Coefficients (terms, 1 + variables) of the polynomial and of its derivatives, which have no other terms."""
         place = {tuple(power): k for k, power in enumerate(self.powers.tolist())}
-        found = np.zeros((len(self.powers), 1 + self.powers.shape[1]))
-        found[:, 0] = self.coefficients
+        table = np.zeros((len(self.powers), 1 + self.powers.shape[1]))
+        table[:, 0] = self.coefficients
         for power, coefficient in zip(self.powers.tolist(), self.coefficients, strict=True):
             for i, k in enumerate(power):
                 if k:
-                    found[place[(*power[:i], k - 1, *power[i + 1 :])], 1 + i] = k * coefficient
-        return found
+                    table[place[(*power[:i], k - 1, *power[i + 1 :])], 1 + i] = k * coefficient
+        return table
 
     def with_slopes(self, u: Array) -> tuple[float, Array]:
         """Value and slopes (variables,) at one point (variables,)."""
-        found = np.prod(u**self.powers, axis=1) @ self._derived
-        return float(found[0]), found[1:]
+        sums = np.prod(u**self.powers, axis=1) @ self._derivatives
+        return float(sums[0]), sums[1:]
 
 
 def _weights(u: Array) -> Array:
@@ -123,7 +123,7 @@ class Region:
         """Unknowns at whitened points (n, unknowns)."""
         return np.asarray(self.centre + u @ self.root.T)
 
-    def whitened(self, x: Array) -> Array:
+    def whiten(self, x: Array) -> Array:
         """Whitened points of unknowns (n, unknowns)."""
         return np.asarray(np.linalg.solve(self.root, (x - self.centre).T).T)
 
@@ -134,11 +134,11 @@ class Region:
         inside = np.all((x >= self.lower - room) & (x <= self.upper + room), axis=1)
         return np.asarray(inside & (np.sum(u**2, axis=1) <= self.radius**2))
 
-    def folded(self, u: Array) -> Array:
+    def fold(self, u: Array) -> Array:
         """Points beyond a bound mirrored at it, so that they lie inside."""
         x = self.unknowns(u)
         x = np.where(x < self.lower, 2.0 * self.lower - x, np.where(x > self.upper, 2.0 * self.upper - x, x))
-        return self.whitened(np.clip(x, self.lower, self.upper))
+        return self.whiten(np.clip(x, self.lower, self.upper))
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
         nonlocal tried
         tried += len(places)
         both = [(u, exact(x)) for u, x in zip(places, region.unknowns(places), strict=True)]
-        return [(u, found[0], region.root.T @ found[1], found[2]) for u, found in both if found is not None]
+        return [(u, point[0], region.root.T @ point[1], point[2]) for u, point in both if point is not None]
 
     points += evaluate(_design(region, max(_points_for(count, first), 2 * count + 4), rng))
     for left in range(_ROUNDS - 1, -1, -1):
@@ -213,16 +213,16 @@ def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tu
     """
     u, values, slopes, more = (np.array(part) for part in zip(*points, strict=True))
     degrees = [d for d in range(2, _HIGHEST + 1) if len(points) >= _points_for(u.shape[1], d)]
-    found = Polynomial.through(_predicting(degrees, u, values, slopes)[0], u, values, slopes)
+    polynomial = Polynomial.through(_predicting(degrees, u, values, slopes)[0], u, values, slopes)
     if not np.any(more):
-        return found, lambda at: (np.zeros(len(at)), np.zeros(len(at)))
+        return polynomial, lambda at: (np.zeros(len(at)), np.zeros(len(at)))
     degrees = [d for d in range(3) if len(points) >= _ROWS * math.comb(u.shape[1] + d, d)]
     degree, scatter = _predicting(degrees, u, more)
     trend = Polynomial.through(degree, u, more)
-    whole = found.coefficients.copy()
+    whole = polynomial.coefficients.copy()
     whole[: len(trend.coefficients)] += trend.coefficients  # terms stand in the order of their degrees
     held = np.linalg.pinv(_weights(u)[:, None] * Polynomial.rows(trend.powers, u))
-    return Polynomial(found.powers, whole), lambda at: (
+    return Polynomial(polynomial.powers, whole), lambda at: (
         trend(at), scatter * np.linalg.norm(Polynomial.rows(trend.powers, at) @ held, axis=1)
     )  # fmt: skip
 
@@ -234,9 +234,11 @@ def _predicting(degrees: Sequence[int], u: Array, values: Array, slopes: Array |
     for degree in degrees:
         off = np.empty(len(u))
         for k in range(_FOLDS):
-            kept = fold != k
-            part = Polynomial.through(degree, u[kept], values[kept], None if slopes is None else slopes[kept])
-            off[~kept] = values[~kept] - part(u[~kept])
+            training = fold != k
+            part = Polynomial.through(
+                degree, u[training], values[training], None if slopes is None else slopes[training]
+            )
+            off[~training] = values[~training] - part(u[~training])
         errors.append(float(np.sqrt(np.mean((_weights(u) * off) ** 2))))
     best = int(np.argmin(errors))
     return degrees[best], errors[best]
@@ -250,7 +252,7 @@ def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
     direction = rng.normal(size=(more, size))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
     reach = np.linspace(0.5, 0.9 * region.radius, more + 1)[1:] if more else np.zeros(0)
-    return region.folded(np.vstack([np.zeros((1, size)), axes, reach[:, None] * direction]))
+    return region.fold(np.vstack([np.zeros((1, size)), axes, reach[:, None] * direction]))
 
 
 def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
@@ -269,7 +271,7 @@ def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
         rng = np.random.default_rng([seed, k])
         moves = [(emcee.moves.MHMove(_independent), 1.0 - _STRETCH), (emcee.moves.StretchMove(), _STRETCH)]
         sampler = emcee.EnsembleSampler(walkers, size, density, moves=moves, vectorize=True)
-        state = emcee.State(_started(density, walkers, rng))
+        state = emcee.State(_start_points(density, walkers, rng))
         sampler.random_state = np.random.RandomState(int(rng.integers(2**31))).get_state()
         warm = sampler.run_mcmc(state, max(50, steps // 10), skip_initial_state_check=True, store=False)
         sampler.run_mcmc(warm, steps, skip_initial_state_check=True)
@@ -278,10 +280,10 @@ def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
     return np.concatenate(chains), float(np.mean(accepted))
 
 
-def _started(density: LogDensity, walkers: int, rng: np.random.Generator) -> Array:
+def _start_points(density: LogDensity, walkers: int, rng: np.random.Generator) -> Array:
     """Points to begin at, inside the region."""
-    found = density.region.folded(rng.normal(size=(40 * walkers, len(density.region.centre))))
-    return found[density.region.has(found)][:walkers]
+    points = density.region.fold(rng.normal(size=(40 * walkers, len(density.region.centre))))
+    return points[density.region.has(points)][:walkers]
 
 
 def _independent(places: Array, random: np.random.RandomState) -> tuple[Array, Array]:
@@ -338,7 +340,7 @@ def profile(density: LogDensity, i: int, count: int = 61) -> tuple[Array, Array]
     values = np.linspace(low, high, count)
     others = [j for j in range(len(region.centre)) if j != i]
     cov = region.root @ region.root.T
-    found = np.empty(count)
+    heights = np.empty(count)
     middle = int(np.argmin(np.abs(values - region.centre[i])))
     for side in (range(middle, count), range(middle, -1, -1)):
         x = region.centre.copy()
@@ -346,18 +348,18 @@ def profile(density: LogDensity, i: int, count: int = 61) -> tuple[Array, Array]
             begin = region.centre + cov[:, i] / cov[i, i] * (values[k] - region.centre[i])
             begin = np.clip(x if k != middle and _better(density, x, begin, values[k], i) else begin,
                             region.lower, region.upper)  # fmt: skip
-            x, found[k] = _climbed(density, begin, values[k], i, others, minimize)
-    return values, found - float(np.max(found))
+            x, heights[k] = _climb(density, begin, values[k], i, others, minimize)
+    return values, heights - float(np.max(heights))
 
 
-def _better(density: LogDensity, one: Array, other: Array, value: float, i: int) -> bool:
-    both = np.array([one, other])
+def _better(density: LogDensity, candidate: Array, other: Array, value: float, i: int) -> bool:
+    both = np.array([candidate, other])
     both[:, i] = value
-    heights = density.polynomial(density.region.whitened(both))
+    heights = density.polynomial(density.region.whiten(both))
     return bool(heights[0] > heights[1])
 
 
-def _climbed(
+def _climb(
     density: LogDensity, begin: Array, value: float, i: int, others: list[int], minimize: Callable[..., object]
 ) -> tuple[Array, float]:
     """Where the density is greatest with unknown ``i`` held, and its logarithm there."""
@@ -365,11 +367,11 @@ def _climbed(
     x[i] = value
     region = density.region
     if not others:
-        return x, float(density.polynomial(region.whitened(x[None]))[0])
+        return x, float(density.polynomial(region.whiten(x[None]))[0])
     inverse = np.linalg.inv(region.root)
     scale = np.sqrt(np.diag(region.root @ region.root.T))[others]
 
-    def lowered(z: Array) -> tuple[float, Array]:
+    def negative_density(z: Array) -> tuple[float, Array]:
         x[others] = begin[others] + scale * z
         value, slopes = density.polynomial.with_slopes(inverse @ (x - region.centre))
         return -value, -(inverse.T @ slopes)[others] * scale
@@ -378,6 +380,6 @@ def _climbed(
         (max(-3.0, (region.lower[j] - begin[j]) / s), min(3.0, (region.upper[j] - begin[j]) / s))
         for j, s in zip(others, scale, strict=True)
     ]
-    result: object = minimize(lowered, np.zeros(len(others)), jac=True, method="L-BFGS-B", bounds=bounds)
-    height = -lowered(np.asarray(result.x))[0]  # type: ignore[attr-defined]
+    result: object = minimize(negative_density, np.zeros(len(others)), jac=True, method="L-BFGS-B", bounds=bounds)
+    height = -negative_density(np.asarray(result.x))[0]  # type: ignore[attr-defined]
     return x.copy(), height

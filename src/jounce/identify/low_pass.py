@@ -53,7 +53,7 @@ def smoother_corner(signal: Array, response: Array, rate: float, *, near: float)
     A response with dry friction has corners, a record behind a low pass has none. Both are sampled at ``rate`` (Hz).
     """
     window = np.hanning(len(signal))
-    measured, fitted = (np.abs(np.fft.rfft(window * (one - one.mean()))) ** 2 for one in (signal, response))
+    measured, fitted = (np.abs(np.fft.rfft(window * (record - record.mean()))) ** 2 for record in (signal, response))
     at = np.fft.rfftfreq(len(signal), 1.0 / rate)
     corner, top, lacks = None, 0.48 * rate, _STEADY  # noise makes a record richer than its response, never poorer
     while np.count_nonzero(inside := (at > 0.5 * top) & (at <= top)) >= _LEAST:

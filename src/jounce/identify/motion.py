@@ -51,10 +51,10 @@ class MeasuredMotion:
         return f"{self.factor * deflection:.{digits}g} {self.shown}"
 
 
-def spoken(unit: str) -> str:
+def unit_in_words(unit: str) -> str:
     """Write a unit as sentences do.
 
-    >>> spoken("N*m*s/rad")
+    >>> unit_in_words("N*m*s/rad")
     'N m s/rad'
     """
     return unit.replace("*", " ")
@@ -82,8 +82,8 @@ def in_motion(name: str) -> Callable[[Any], str]:
     """Give a function that looks up a unit or a word of a result's ``motion``, such as its unit of ``stiffness``."""
 
     def look_up(result: Any) -> str:
-        found: str = getattr(MOTIONS[result.motion], name)
-        return found
+        value: str = getattr(MOTIONS[result.motion], name)
+        return value
 
     return look_up
 

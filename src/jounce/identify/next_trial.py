@@ -105,10 +105,14 @@ class NextTrials(Plain, Shown):
         rows = [["trial", "gain [nat]", *(f"{path} [{self.units[path]}]" for path in self.now)]]
         rows.append(["today", "", *(f"±{value:.4g}" for value in self.now.values())])
         rows += [
-            [one.name, f"{one.gain:.3g}", *(f"±{value:.4g}" for value in one.standard_errors.values())]
-            for one in self.candidates[:20]
+            [
+                candidate.name,
+                f"{candidate.gain:.3g}",
+                *(f"±{value:.4g}" for value in candidate.standard_errors.values()),
+            ]
+            for candidate in self.candidates[:20]
         ]
-        best = ", then ".join(one.name for one in self.series)
+        best = ", then ".join(candidate.name for candidate in self.series)
         lines = [line.rstrip() for line in align_columns(rows)]
         return "\n".join([*lines, f"one after the other: {best}", *map(str, self.findings)])
 
@@ -168,15 +172,15 @@ def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, co
     paths = [item.path for item in basis.free]
     start = judge.start
 
-    def gained(name: str, known: Array) -> CandidateGain:
+    def gain_of(name: str, known: Array) -> CandidateGain:
         before, after = judge.covariance(known), judge.covariance(known + informations[name])
         gain = 0.5 * float(np.linalg.slogdet(before)[1] - np.linalg.slogdet(after)[1])
         return CandidateGain(name, gain, dict(zip(paths, np.sqrt(np.diag(after)).tolist(), strict=True)))
 
-    every = sorted((gained(name, start) for name in informations), key=lambda one: -one.gain)
+    every = sorted((gain_of(name, start) for name in informations), key=lambda judged: -judged.gain)
     series, known = [], start
     for _ in range(count):
-        best = max((gained(name, known) for name in informations), key=lambda one: one.gain)
+        best = max((gain_of(name, known) for name in informations), key=lambda judged: judged.gain)
         series.append(best)
         known = known + informations[best.name]
     now = dict(zip(paths, np.sqrt(np.diag(judge.covariance(start))).tolist(), strict=True))
@@ -246,12 +250,12 @@ class _WithDoubt:
     def __init__(self, basis: Basis) -> None:
         self.basis = basis
         assert basis.calibration is not None
-        self.found = basis.calibration
-        self.read = readings_of(self.found)
+        self.fit = basis.calibration
+        self.read = readings_of(self.fit)
         size = self.read.slopes.shape[-1]
-        self.start: Array = np.asarray(np.linalg.inv(self.found.step.covariance[:size, :size]), dtype=float)
-        self.noise = self.found.step.noise
-        self.rest = {name: share / OBSERVATIONS for name, share in self.found.rest.items()}
+        self.start: Array = np.asarray(np.linalg.inv(self.fit.step.covariance[:size, :size]), dtype=float)
+        self.noise = self.fit.step.noise
+        self.rest = {name: share / OBSERVATIONS for name, share in self.fit.rest.items()}
 
     def covariance(self, information: Array) -> Array:
         """Covariance of the component values that a test machine would give, SI."""
@@ -260,4 +264,4 @@ class _WithDoubt:
 
     def information(self, candidate: Candidate) -> Array:
         """Information that a trial adds; the unexplained part grows with the signal, as in the fitted trials."""
-        return candidate_information(self.found, _simulated_recording(candidate, self.basis), self.noise, self.rest)
+        return candidate_information(self.fit, _simulated_recording(candidate, self.basis), self.noise, self.rest)

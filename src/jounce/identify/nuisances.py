@@ -62,12 +62,12 @@ class SearchedNuisance:
         """Every trial."""
         return True
 
-    def applied(self, trial: FitTrial, found: float) -> FitTrial:
+    def apply_to(self, trial: FitTrial, value: float) -> FitTrial:
         """The trial with this value."""
         if self.name == SPEED:
-            return replace(trial, trial=trial.trial.at_speed(found / self.free.initial))
+            return replace(trial, trial=trial.trial.at_speed(value / self.free.initial))
         channel = self.name.removesuffix(LOW_PASS)
-        sensor = with_low_pass(trial.sensors.get(channel), 1.0 / found)
+        sensor = with_low_pass(trial.sensors.get(channel), 1.0 / value)
         return replace(trial, sensors={**trial.sensors, channel: sensor})
 
 
@@ -107,11 +107,11 @@ class SearchedStart:
         """Its trial."""
         return trial.name == self.trial
 
-    def applied(self, trial: FitTrial, found: float) -> FitTrial:
+    def apply_to(self, trial: FitTrial, amplitude: float) -> FitTrial:
         """The trial started at this distance from equilibrium."""
         if not self.concerns(trial):
             return trial
-        offset = {state: trial.offset.get(state, 0.0) + found * value for state, value in self.shape.items()}
+        offset = {state: trial.offset.get(state, 0.0) + amplitude * value for state, value in self.shape.items()}
         return replace(trial, offset=offset)
 
 
@@ -138,20 +138,20 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
     largest = to_si(given, "m", where=place)
     if largest <= 0.0:
         raise FitError("not an amplitude", where=place, found=given, allowed='a length above zero, e.g. "2 mm"')
-    found = []
+    starts = []
     for trial in filter(begins_unknown, trials):
         for motion in start_motions(trial):
             for way, shape in (("displaced", motion.displaced), ("moving", motion.moving)):
                 name = f"{trial.name}: {START}, {motion.frequency:.3g} Hz {way}"
-                found.append(SearchedStart(name, trial.name, shape, FreeParameter(name, 0.0, -largest, largest)))
-    if not found:
+                starts.append(SearchedStart(name, trial.name, shape, FreeParameter(name, 0.0, -largest, largest)))
+    if not starts:
         raise FitError(
             "no trial begins where its start could be seen",
             where=place,
             found="belts that have been running, or rigs that do not swing",
             hint="Leave it out.",
         )
-    return found
+    return starts
 
 
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
@@ -168,22 +168,24 @@ def nuisances_of(
     """
     channels = [str(name) for name in trials[0].measured.data_vars]
     rate = min(1.0 / float(np.median(np.diff(trial.measured["time"].to_numpy()))) for trial in trials)
-    found: list[SearchedNuisance | SearchedStart] = []
+    nuisances: list[SearchedNuisance | SearchedStart] = []
     for name, bounds in given.items():
         place = f"{where}: {name}"
         if name == START:
-            found += _starts_of(bounds, trials, place)
+            nuisances += _starts_of(bounds, trials, place)
             continue
         if name == SPEED:
             speeds = [trial.trial.speed for trial in trials if trial.trial.speed is not None]
             if not speeds:
                 raise FitError("no trial has a speed", where=place, hint="Leave it out.")
             lower, upper = _speeds(bounds, speeds[0], place)
-            found.append(SearchedNuisance(name, FreeParameter(name, speeds[0], lower, upper)))
+            nuisances.append(SearchedNuisance(name, FreeParameter(name, speeds[0], lower, upper)))
             continue
         channel = name.removesuffix(LOW_PASS)
         if not name.endswith(LOW_PASS) or channel not in channels:
-            raise unknown(name, [SPEED, START, *(f"{one}{LOW_PASS}" for one in channels)], what="nuisance", where=where)
+            raise unknown(
+                name, [SPEED, START, *(f"{known}{LOW_PASS}" for known in channels)], what="nuisance", where=where
+            )
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
             raise FitError("not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]')
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
@@ -195,8 +197,10 @@ def nuisances_of(
                 second_fastest=FASTEST,
             )
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
-        found.append(SearchedNuisance(name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
-    return tuple(found)
+        nuisances.append(
+            SearchedNuisance(name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low))
+        )
+    return tuple(nuisances)
 
 
 def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:

@@ -213,7 +213,7 @@ def find_passages(
     values = tuple(float(onset[i]) for i in at)
     findings = _sign_findings(sign * signs, names, name)
     if road.recurrence is None:
-        others = _met_again(onset, like * sign * power, int(at[0]), expected.length)
+        others = _repeated_meetings(onset, like * sign * power, int(at[0]), expected.length)
         again = (time[0] + step * (others - ahead + _fractions(onset, others)) + expected.lead).tolist()
         if again:
             listed = ", ".join(f"{instant:.3g} s" for instant in sorted([*again, times[0]]))
@@ -362,7 +362,7 @@ def _sought(
     return Sought(data[list(names)], recording_of(clock, channels, attributes={}), likeness)
 
 
-def _met_again(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
+def _repeated_meetings(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
     """Samples at which an obstacle that does not come again, by its road, is met once more."""
     from scipy.signal import find_peaks
 
@@ -415,17 +415,17 @@ def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int,
         period, wide = float(np.median(likely)), near
     else:
         wide = max(near, round(_SLIPS * period))
-    found = {0: surest}
+    passages = {0: surest}
     for way in (1, -1):
         number, last, step, around = 0, float(surest), way * period, wide
         while 0 <= last + step < len(onset):
             number, last = number + way, last + step
             i = _argmax_near(onset, round(last), around)
             if onset[i] >= _SURE:
-                if number - way in found:  # follow the speed of the belt
-                    step = i - found[number - way]
-                found[number], last, around = i, float(i), near
-    return np.array([found[number] for number in sorted(found)])
+                if number - way in passages:  # follow the speed of the belt
+                    step = i - passages[number - way]
+                passages[number], last, around = i, float(i), near
+    return np.array([passages[number] for number in sorted(passages)])
 
 
 _EVEN = 0.05

@@ -222,11 +222,11 @@ def update_with_density(
     update, calibration = run_update(trials, free, settings)
     limits = free_parameters(trials[0].rig_without, bounds_, where=name)
     trials = with_datums(trials, settings.channels)[0]
-    findings = [one for one in update.findings if one.severity != "note"]
+    findings = [item for item in update.findings if item.severity != "note"]
     values = update.values()
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
         if calibration is None:
-            why = next(one.message for one in update.findings if one.place == "intervals")
+            why = next(item.message for item in update.findings if item.place == "intervals")
             raise FitError("model error cannot be included", where=name, found=why, hint="Leave out doubt.")
         calibration.problem.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
@@ -239,13 +239,14 @@ def update_with_density(
                 )
             )
         problem = UpdateProblem(trials, limits, settings)
-        best = np.array([item.scaled(values[item.path]) for item in limits])
-        lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
+        best = np.array([item.scale(values[item.path]) for item in limits])
+        lowest = np.array([item.scale(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
         size = len(limits)
         density = NoiseDensity(problem, best, -np.ones(size), np.ones(size), lowest)
         basis = Basis(
             tuple(trials), limits, None, density.covariance, values, settings,
-            _levels_of(problem, best, _noise_level), _levels_of(problem, best, lambda _, one: float(np.mean(one**2))),
+            _levels_of(problem, best, _noise_level),
+            _levels_of(problem, best, lambda _, residual: float(np.mean(residual**2))),
         )  # fmt: skip
     return UpdatedDensity(update, density, basis, tuple(findings))
 
@@ -354,8 +355,8 @@ def posterior_with(
     table = fit_log_density(density, density.region, seed)
     progress(Phrase("{name}: {draws} draws", name=name, draws=draws))
     units = {item.path: shown_unit_of(basis.trials[0].rig, item.path) for item in limits}
-    found = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
-    result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
+    sampled = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
+    result = replace(sampled, update=update, basis=basis, findings=(*at.findings, *sampled.findings))
     if not chosen:
         return result
     progress(Phrase("{name}: what it predicts for {count} trials", name=name, count=len(chosen)))
@@ -424,7 +425,7 @@ def posterior_of(
     if not limits:
         raise FitError("no free parameter", where=name)
     density = NoiseDensity(
-        _Given(residuals, tuple(limits)), np.array([item.scaled(item.initial) for item in limits]),
+        _Given(residuals, tuple(limits)), np.array([item.scale(item.initial) for item in limits]),
         -np.ones(len(limits)), np.ones(len(limits)), np.full(len(limits), -np.inf),
     )  # fmt: skip
     table = fit_log_density(density, density.region, seed)
@@ -474,13 +475,13 @@ def _noise_level(channel: Channel, residual: Array) -> float:
 
 def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]) -> dict[str, float]:
     """Standard deviation (SI) by channel, from a power of the residuals."""
-    found: dict[str, list[float]] = {}
+    powers: dict[str, list[float]] = {}
     residuals = problem.residuals(best)
     channels = [channel for trial in problem.trials for channel in trial.channels]
     for channel, block in zip(channels, residuals.blocks, strict=True):
         if channel.weight > 0.0:
-            found.setdefault(channel.name, []).append(power(channel, residuals.vector[block] / channel.weight))
-    return {name: float(np.sqrt(np.mean(values))) for name, values in found.items()}
+            powers.setdefault(channel.name, []).append(power(channel, residuals.vector[block] / channel.weight))
+    return {name: float(np.sqrt(np.mean(values))) for name, values in powers.items()}
 
 
 def _sample_and_describe(
@@ -517,11 +518,14 @@ def _sample_and_describe(
             gaussian = None
             if update is not None and update.discrepancy is not None:
                 gaussian = update.discrepancy.parameters[item.path].interval
-        ends = np.array([np.quantile(one, (0.025, 0.975)) for one in shown])
+        ends = np.array([np.quantile(series, (0.025, 0.975)) for series in shown])
         interval = float(ends[:, 0].min()), float(ends[:, 1].max())
         if isinstance(density, DoubtDensity):
             value = 0.5 * (interval[0] + interval[1])
-        worst = max((convergence(by_ensemble(one.reshape(chains, each))) for one in shown), key=lambda one: one.r_hat)
+        worst = max(
+            (convergence(by_ensemble(series.reshape(chains, each))) for series in shown),
+            key=lambda series: series.r_hat,
+        )
         parameters[item.path] = PosteriorParameter(
             units[item.path], value, float(np.mean(shown[0])), float(np.std(shown[0])), interval, gaussian,
             profiles[item.path].interval(), worst,
@@ -543,10 +547,10 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], se
     """
     from scipy.stats import chi2
 
-    found = density.found
-    read = readings_of(found)
-    q = len(found.problem.nuisances)
-    steps = np.column_stack([x - found.state.theta, density.doubts(x, seed)[:, :q]])
+    fit = density.fit
+    read = readings_of(fit)
+    q = len(fit.problem.nuisances)
+    steps = np.column_stack([x - fit.state.theta, density.doubts(x, seed)[:, :q]])
     level = np.random.default_rng([seed, 8]).random(len(x))
     columns = {}
     for k, kind in enumerate(("component", "effective")):
@@ -556,40 +560,46 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], se
             # From 10 000 degrees of freedom on, tails are normal to 1 %.
             tails = np.sqrt(freedom / chi2.ppf(level, freedom)) if freedom < 1e4 else 1.0
             centre = float(np.mean(moved[:, i]))
-            one = read.values[k, i] + centre + tails * (moved[:, i] - centre)
-            columns[f"{kind} of {item.path}"] = np.maximum(one, 0.0) if item.lower >= 0.0 else one
+            values = read.values[k, i] + centre + tails * (moved[:, i] - centre)
+            columns[f"{kind} of {item.path}"] = np.maximum(values, 0.0) if item.lower >= 0.0 else values
     return columns
 
 
 def _weak(
     parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[FreeParameter], counted: str
 ) -> list[Finding]:
-    found = []
+    findings = []
     if error > MOST_ERROR:
-        found.append(finding("identify.log_density_off", "posterior", error, spread=error))
-    for path, one in parameters.items():
-        worst = min(one.convergence.bulk, one.convergence.tail)
-        if one.convergence.r_hat > MOST_R_HAT or worst < FEWEST_DRAWS:
-            found.append(
-                finding("identify.not_converged", path, one.convergence.r_hat, r_hat=one.convergence.r_hat, draws=worst)
+        findings.append(finding("identify.log_density_off", "posterior", error, spread=error))
+    for path, parameter in parameters.items():
+        worst = min(parameter.convergence.bulk, parameter.convergence.tail)
+        if parameter.convergence.r_hat > MOST_R_HAT or worst < FEWEST_DRAWS:
+            findings.append(
+                finding(
+                    "identify.not_converged",
+                    path,
+                    parameter.convergence.r_hat,
+                    r_hat=parameter.convergence.r_hat,
+                    draws=worst,
+                )
             )
     for item in free if counted == "noise only" else ():
         low, high = parameters[item.path].interval
         # A fiftieth of its interval: a bound there cuts off draws.
         near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
         if near:
-            found.append(finding("identify.draws_at_bound", item.path, near[0]))
-    return found
+            findings.append(finding("identify.draws_at_bound", item.path, near[0]))
+    return findings
 
 
-def _missed_predictions(found: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
+def _missed_predictions(posterior: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
     """Say where much lies outside of what was predicted."""
     every = [(band.inside, f"{t}, {c}") for t, channels in predictions.items() for c, band in channels.items()]
-    missed = sorted(one for one in every if one[0] < _LITTLE)
+    missed = sorted(entry for entry in every if entry[0] < _LITTLE)
     if not missed:
         return []
     share, place = missed[0]
-    code = "identify.missed_by_noise" if found.counted == "noise only" else "identify.missed"
+    code = "identify.missed_by_noise" if posterior.counted == "noise only" else "identify.missed"
     numbers: dict[str, Any] = {"signals": len(missed), "all": len(every), "little": _LITTLE}
     return [finding(code, "predictions", share, place=place, share=share, **numbers)]
 

@@ -78,7 +78,7 @@ def bands_of(
     law = law[rows]
     fitted = {trial.name for trial in basis.trials}
     if isinstance(density, DoubtDensity):
-        scaled = np.array([[item.scaled(v) for item, v in zip(free, row, strict=True)] for row in law])
+        scaled = np.array([[item.scale(v) for item, v in zip(free, row, strict=True)] for row in law])
         curves = _richer(density, trials, scaled, seed, basis.settings)
     else:
         curves = [_plain(trial, free, law, basis.settings) for trial in trials]
@@ -111,10 +111,10 @@ def _plain(trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings:
     for values in law:
         start = prepared.start.copy()
         start[places] = prepared.own(values)
-        one = replace(plain, start=start)
-        solution = one.solve(np.zeros(0), _TOLERANCE)
-        for channel in one.channels:
-            table = one.table(channel, solution)
+        run = replace(plain, start=start)
+        solution = run.solve(np.zeros(0), _TOLERANCE)
+        for channel in run.channels:
+            table = run.table(channel, solution)
             tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
     units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
     return _lay_over_recording(prepared.channels, tables, units, prepared.rate, align=settings.fits_lags)
@@ -125,15 +125,15 @@ def _richer(
 ) -> list[_Curves]:
     """The same with what may be wrong of model and measurement drawn, too."""
     doubts = density.doubts(scaled, seed)
-    found: list[_Curves] = []
-    for run in extended_runs(density.found, trials):
+    curves: list[_Curves] = []
+    for run in extended_runs(density.fit, trials):
         tables: dict[str, list[Array]] = {}
-        rng = np.random.default_rng([seed, 10, len(found)])
+        rng = np.random.default_rng([seed, 10, len(curves)])
         for x, step in zip(scaled, doubts, strict=True):
-            for name, table in run.drawn(x, step, rng).items():
+            for name, table in run.draw(x, step, rng).items():
                 tables.setdefault(name, []).append(table)
-        found.append(_lay_over_recording(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
-    return found
+        curves.append(_lay_over_recording(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
+    return curves
 
 
 def _lay_over_recording(
@@ -152,8 +152,8 @@ def _lay_over_recording(
                 for c in channels
             ]
             lag = best_lag(shifted, _APART)
-            for channel, one in zip(channels, shifted, strict=True):
-                laid[channel.name][k] = one.at(lag)[0][:, 0]
+            for channel, signal in zip(channels, shifted, strict=True):
+                laid[channel.name][k] = signal.at(lag)[0][:, 0]
     return [(channel, laid[channel.name], units[channel.name]) for channel in channels]
 
 
@@ -161,12 +161,12 @@ def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping
     """Noise of each channel (SI), and what nothing explains as a share (1) of the power of the signal."""
     if not isinstance(density, DoubtDensity):
         return basis.noise, {}
-    found = density.found
-    return {name: float(np.sqrt(value)) for name, value in found.step.noise.items()}, found.rest
+    fit = density.fit
+    return {name: float(np.sqrt(value)) for name, value in fit.step.noise.items()}, fit.rest
 
 
 def _moving(signal: Array, time: Array) -> Array:
     """Root mean square of a signal around each instant; near its ends of what there is."""
     width = max(1, min(round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)), len(signal)))
-    total, count = (np.convolve(one, np.ones(width), mode="same") for one in (signal**2, np.ones(len(signal))))
+    total, count = (np.convolve(values, np.ones(width), mode="same") for values in (signal**2, np.ones(len(signal))))
     return np.asarray(np.sqrt(total / count))

@@ -75,24 +75,24 @@ _COARSE, _LOOSE = 1e-5, 0.03  # relative error of displacements, and of the obje
 
 
 def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: int) -> SearchOutcome:
-    best, others, found = minimise(problem, start, method), list[Optimum](), 1
+    best, others, agreements = minimise(problem, start, method), list[Optimum](), 1
     tried = 1
     for rough, end in _rough_ends(problem, _spread(problem.size, _MOST - 1, seed)):
         tried += 1
         here, _ = rough.objective(best.scaled)
         if _is_near(end, best) or abs(end.objective - here) < (_AS_GOOD - 1.0) * here:
-            found += 1
+            agreements += 1
         elif end.objective > here:
             others.append(end)
         else:
             finished = minimise(problem, end.scaled, method)
-            found = found + 1 if _is_near(finished, best) else 1
+            agreements = agreements + 1 if _is_near(finished, best) else 1
             others.append(best)
             best = min(best, finished, key=lambda end: end.objective)
-        if tried >= _FEWEST and found > 1:
+        if tried >= _FEWEST and agreements > 1:
             break
     apart = [end for end in _each_once(sorted(others, key=lambda end: end.objective)) if not _is_near(end, best)]
-    return SearchOutcome(best, tuple(apart), tried, is_confirmed=found > 1)
+    return SearchOutcome(best, tuple(apart), tried, is_confirmed=agreements > 1)
 
 
 def _spread(size: int, count: int, seed: int) -> list[Array]:
@@ -102,8 +102,8 @@ def _spread(size: int, count: int, seed: int) -> list[Array]:
     return list(2.0 * qmc.LatinHypercube(size, seed=seed).random(count) - 1.0)
 
 
-def _is_near(one: Optimum, other: Optimum) -> bool:
-    return bool(np.max(np.abs(one.scaled - other.scaled)) < SAME_PLACE)
+def _is_near(first: Optimum, other: Optimum) -> bool:
+    return bool(np.max(np.abs(first.scaled - other.scaled)) < SAME_PLACE)
 
 
 def _each_once(ends: list[Optimum]) -> list[Optimum]:

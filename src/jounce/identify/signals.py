@@ -51,13 +51,13 @@ def zigzag(signal: Array, threshold: float) -> list[int]:
     return turns
 
 
-def lost_samples(time: Array, signal: Array) -> int:
+def count_lost_samples(time: Array, signal: Array) -> int:
     """Count places where a smooth signal jumps as if samples were missing, although the time advances evenly.
 
     There one step is larger by half and more than two on either side, which are alike and far above the noise.
 
     >>> t = np.arange(400) * 1e-3
-    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))
+    >>> count_lost_samples(t, np.sin(20.0 * t)), count_lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))
     (0, 1)
     """
     rates = np.diff(signal) / np.diff(time)
@@ -69,8 +69,8 @@ def lost_samples(time: Array, signal: Array) -> int:
     sizes = side * beside
     least, most = sizes.min(axis=0), sizes.max(axis=0)
     least_step = max(_CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal)))
-    found = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
-    return int(np.count_nonzero(found))
+    jumps = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
+    return int(np.count_nonzero(jumps))
 
 
 _CLEAR, _LIKE, _TORN = 10.0, 1.3, 1.5  # times the noise, the least and the most of the steps beside

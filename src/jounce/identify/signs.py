@@ -163,7 +163,7 @@ def damper_signs(
     gas = _sign(rest, f)
     unlike = _unlike(v, f, rest.value if gas else 0.0) or rest.value < -_PULLS * float(np.ptp(f))
     chosen = _Choice(stated, stroke_positive is not None, force_positive is not None, gas, rest.value, unlike)
-    return (chosen.dissipating if work > 0.0 else chosen.turned)(add)
+    return (chosen.dissipating if work > 0.0 else chosen.reverse_one)(add)
 
 
 @dataclass(frozen=True)
@@ -189,14 +189,14 @@ class _Choice:
             add("identify.bump_or_rebound")
         return self.stated
 
-    def turned(self, add: Callable[..., None]) -> Signs:
+    def reverse_one(self, add: Callable[..., None]) -> Signs:
         """Stroke and force contradict each other: exactly one column is reversed, and the gas force tells which."""
         both = self.stroke_is_stated and self.force_is_stated
         if self.stroke_is_stated != self.force_is_stated:
             column = "force" if self.stroke_is_stated else "stroke"
         else:
             column = "stroke" if self.gas > 0 else "force"
-        found = (
+        signs = (
             Signs(-self.stated.stroke, self.stated.force)
             if column == "stroke"
             else Signs(self.stated.stroke, -self.stated.force)
@@ -213,11 +213,11 @@ class _Choice:
             why = finding("identify.or_the_stroke", "")
         pulls = bool(self.gas) and rest < 0.0
         but = finding("identify.gas_pulls", "", rest=rest) if pulls else ""
-        way = found.stroke_positive if column == "stroke" else found.force_positive
+        way = signs.stroke_positive if column == "stroke" else signs.force_positive
         code = "identify.signs_contradict_stated" if both or pulls else "identify.signs_contradict"
         key = f"{column}_positive"
         add(code, rest if self.gas else None, column=column, why=why, but=but, key=key, way=way)
-        return found
+        return signs
 
 
 def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
@@ -230,8 +230,8 @@ def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
     x, v = stroke[slow] / float(np.ptp(stroke)), velocity[slow] / peak
     centre = 0.5 * float(stroke.max() + stroke.min()) / float(np.ptp(stroke))
     columns = [np.ones_like(v), x - centre, np.maximum(v, 0.0), np.minimum(v, 0.0), np.tanh(v / 0.01)]
-    found, _, spread = linear_least_squares(np.column_stack(columns), force[slow])
-    return spread.estimates(found)[0]
+    coefficients, _, spread = linear_least_squares(np.column_stack(columns), force[slow])
+    return spread.estimates(coefficients)[0]
 
 
 def _sign(rest: Estimate, force: Array) -> int:

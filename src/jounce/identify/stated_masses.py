@@ -83,13 +83,13 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     know: the sum stays as stated.
     """
     rig = problem.trials[0].source.rig
-    masses = stated_masses(rig, [one.path for one in problem.free])
+    masses = stated_masses(rig, [item.path for item in problem.free])
     if len(masses) < 2:
         return []
     more = [FreeParameter(path, mass, (1.0 - _RANGE) * mass, (1.0 + _RANGE) * mass) for path, mass in masses.items()]
     count = len(problem.free)
     wider = UpdateProblem(
-        [one.source for one in problem.trials],
+        [item.source for item in problem.trials],
         [*problem.free, *more],
         problem.settings,
         problem.nuisances,
@@ -98,8 +98,8 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     before, _ = wider.objective(x)
     after = before
     for _ in range(_STEPS):
-        found = wider.residuals(x)
-        step = -np.linalg.pinv(found.jacobian, rcond=_TOLD_APART) @ found.vector
+        residuals = wider.residuals(x)
+        step = -np.linalg.pinv(residuals.jacobian, rcond=_TOLD_APART) @ residuals.vector
         moved = np.clip(x + step, -1.0, 1.0)
         try:
             reached, _ = wider.objective(moved)
@@ -135,23 +135,23 @@ def scale_of_masses(
 
 
 def off_together(
-    found: Mapping[str, float], bench: Mapping[str, Estimate], contradicted: Collection[str], angle: float
+    updated: Mapping[str, float], bench: Mapping[str, Estimate], contradicted: Collection[str], angle: float
 ) -> list[Finding]:
     """Report the masses or strut angle that would explain rates that all differ from their bench values by one factor.
 
-    ``found`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the paths
-    of which both disagree; ``angle`` is the stated strut angle in rad.
+    ``updated`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the
+    paths for which the two disagree; ``angle`` is the stated strut angle in rad.
     """
-    tested = [path for path in found if path in bench and path.endswith(_BY_MASS) and bench[path].value > 0.0]
+    tested = [path for path in updated if path in bench and path.endswith(_BY_MASS) and bench[path].value > 0.0]
     off = [path for path in tested if path in contradicted]
     rates = [path for path in tested if path.endswith(_RATES)]
     if len(off) < 2 or not set(rates) <= set(off):
         return []
-    factors = np.array([found[path] / bench[path].value for path in off])
+    factors = np.array([updated[path] / bench[path].value for path in off])
     factor = float(np.mean(factors))
     if factor <= 0.0 or np.ptp(factors) > _ALIKE * abs(factor - 1.0):
         return []
-    listed = ", ".join(f"{path} {one:.3g}" for path, one in zip(off, factors, strict=True))
+    listed = ", ".join(f"{path} {ratio:.3g}" for path, ratio in zip(off, factors, strict=True))
     excess = 1.0 / factor - 1.0
     cosine = math.sqrt(factor) * math.cos(angle)
     if all(path.startswith("strut.") for path in off) and cosine < 1.0:

@@ -36,7 +36,7 @@ from jounce.identify.force_deflection import (
     number_namesakes,
     seat,
 )
-from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, in_motion, spoken
+from jounce.identify.motion import MOTIONS, MeasuredMotion, MotionName, in_motion, unit_in_words
 
 # force laws -----------------------------------------------------------------------------------------------------------
 
@@ -147,15 +147,15 @@ def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, interce
         return _linear(deflection, force, intercept, where)
     if law == "polynomial":
         powers = np.arange(1, degree + 1)
-        found, residual, spread = linear_least_squares(deflection[:, None] ** powers, force)
-        return CurveFit(FittedCurve("polynomial", tuple(map(float, found))), found, residual, spread)
+        coefficients, residual, spread = linear_least_squares(deflection[:, None] ** powers, force)
+        return CurveFit(FittedCurve("polynomial", tuple(map(float, coefficients))), coefficients, residual, spread)
     return _power(deflection, force, where) if law == "power" else _monotone(deflection, force)
 
 
 def _linear(deflection: Array, force: Array, intercept: str, where: str) -> CurveFit:
     regressors = np.column_stack([deflection, np.ones_like(deflection)])
-    found, residual, spread = linear_least_squares(regressors, force)
-    slope, level = map(float, found)
+    coefficients, residual, spread = linear_least_squares(regressors, force)
+    slope, level = map(float, coefficients)
     if slope <= 0.0:
         raise FitError(
             "the force does not grow with the deflection",
@@ -165,7 +165,7 @@ def _linear(deflection: Array, force: Array, intercept: str, where: str) -> Curv
         )
     preload = level if intercept == "keep" else 0.0
     origin = -level / slope if intercept == "shift" else 0.0
-    return CurveFit(FittedCurve("polynomial", (slope,), preload=preload, origin=origin), found, residual, spread)
+    return CurveFit(FittedCurve("polynomial", (slope,), preload=preload, origin=origin), coefficients, residual, spread)
 
 
 def _power(deflection: Array, force: Array, where: str) -> CurveFit:
@@ -177,16 +177,16 @@ def _power(deflection: Array, force: Array, where: str) -> CurveFit:
     reach, top = float(deflection[use].max()), float(force[use].max())
     x, y = np.maximum(deflection, 0.0) / reach, force / top
     exponent, level = np.polyfit(np.log(x[use]), np.log(y[use]), 1)
-    found = least_squares(
+    solution = least_squares(
         lambda p: p[0] * x ** p[1] - y, [np.exp(level), max(exponent, 0.05)], bounds=([0.0, 0.02], [np.inf, 20.0])
     )
-    exponent = float(found.x[1])
+    exponent = float(solution.x[1])
     scale = top / reach**exponent
-    a = float(found.x[0]) * scale
+    a = float(solution.x[0]) * scale
     # d(a, b)/d(scaled a, b): a = scaled * top / reach^b
     transform = np.array([[1.0 / scale, 0.0], [0.0, 1.0]])
-    jacobian = top * found.jac @ np.array([[1.0, found.x[0] * np.log(reach)], [0.0, 1.0]]) @ transform
-    residual = -top * found.fun
+    jacobian = top * solution.jac @ np.array([[1.0, solution.x[0] * np.log(reach)], [0.0, 1.0]]) @ transform
+    residual = -top * solution.fun
     return CurveFit(
         FittedCurve("power", (a, exponent)), np.array([a, exponent]), residual, uncertainty(jacobian, residual)
     )
@@ -418,21 +418,21 @@ def fit_stiffness(
         raise FitError(
             Phrase("not a static {force_word}", force_word=motion.force_word),
             where="operating_force",
-            found=f"{operating_force} {spoken(motion.force)}",
+            found=f"{operating_force} {unit_in_words(motion.force)}",
             allowed="above 0",
         )
     seated, findings = [], []
     for trial in number_namesakes(list(trials)):
-        one, notes = seat(trial, zero=zero)
-        seated.append(one)
+        seated_trial, notes = seat(trial, zero=zero)
+        seated.append(seated_trial)
         findings += notes
     findings += _copies(seated)
-    points = [_points_to_fit(one, branch, discard_below, law, findings) for one in seated]
+    points = [_points_to_fit(seated_trial, branch, discard_below, law, findings) for seated_trial in seated]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
     alone = [
-        fit_curve(a, b, law=law, degree=degree, intercept=intercept, where=one.name)
-        for one, (a, b) in zip(seated, points, strict=True)
+        fit_curve(a, b, law=law, degree=degree, intercept=intercept, where=seated_trial.name)
+        for seated_trial, (a, b) in zip(seated, points, strict=True)
     ]
     low, reach = float(x.min()), float(x.max())
     operating, tangent = None, None
@@ -440,11 +440,11 @@ def fit_stiffness(
         operating, tangent = _operating_point(seated, pooled.curve, operating_force, (low, reach), motion, findings)
     at = operating if operating is not None else 0.5 * (low + reach)
     rows = []
-    for one, fit in zip(seated, alone, strict=True):
-        energy, loss = hysteresis(one)
+    for seated_trial, fit in zip(seated, alone, strict=True):
+        energy, loss = hysteresis(seated_trial)
         rms = float(np.sqrt(np.mean(fit.residual**2)))
-        found = _stiffness(fit, at), _intercept(fit)
-        rows.append(TrialStiffness(one.name, *found, loss, energy, rms, len(fit.residual), motion.name))
+        estimates = _stiffness(fit, at), _intercept(fit)
+        rows.append(TrialStiffness(seated_trial.name, *estimates, loss, energy, rms, len(fit.residual), motion.name))
     line = _intercept(pooled)
     findings += _no_spring(_stiffness(pooled, at).value, motion)
     findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows, motion)
@@ -488,8 +488,8 @@ def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> MeasuredMotion:
     for trial in trials:
         if trial.motion not in MOTIONS:
             raise unknown(str(trial.motion), MOTIONS, what="motion", where=trial.name)
-    if len(found := {trial.motion for trial in trials}) > 1:
-        raise FitError("trials of forces and of torques are not fitted together", found=", ".join(sorted(found)))
+    if len(motions := {trial.motion for trial in trials}) > 1:
+        raise FitError("trials of forces and of torques are not fitted together", found=", ".join(sorted(motions)))
     return MOTIONS[trials[0].motion]
 
 
@@ -555,7 +555,7 @@ def _points_to_fit(
             "the trial ends at its zero instead of beginning there",
             where=trial.name,
             found=f"from {trial.motion.say(float(trial.deflection[0]), 4)} and {float(trial.force[0]):.4g} "
-            f"{spoken(trial.motion.force)} on",
+            f"{unit_in_words(trial.motion.force)} on",
             allowed="rows in the order of time, from first contact to the largest deflection",
             hint="Reverse the rows, or the zero of the deflection.",
         )
@@ -576,7 +576,7 @@ def _stiffness(fit: CurveFit, at: float) -> Estimate:
     value = float(fit.curve.tangent(at + fit.curve.origin if fit.curve.origin else at))
     if fit.uncertainty is None:
         return Estimate(value)
-    return fit.uncertainty.derived(value, _tangent_gradient(fit, at))
+    return fit.uncertainty.propagate(value, _tangent_gradient(fit, at))
 
 
 _DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
@@ -597,8 +597,8 @@ def _with_law(
             break
         reach = float(x.max())  # of order 1, so that high powers are told apart
         powers = np.arange(1, degree + more + 1)
-        found = np.linalg.lstsq((x[:, None] / reach) ** powers, force, rcond=None)[0]
-        others.append(float(found @ (powers * (at / reach) ** (powers - 1.0))) / reach)
+        coefficients = np.linalg.lstsq((x[:, None] / reach) ** powers, force, rcond=None)[0]
+        others.append(float(coefficients @ (powers * (at / reach) ** (powers - 1.0))) / reach)
     if not others or stiffness.standard_error is None or stiffness.interval is None:
         return stiffness, []
     apart = max(abs(other - stiffness.value) for other in others)
@@ -617,7 +617,7 @@ def _with_law(
             degree=degree + 1,
             least=min(others),
             greatest=max(others),
-            unit=spoken(motion.stiffness),
+            unit=unit_in_words(motion.stiffness),
             at=motion.say(at),
             value=stiffness.value,
         )
@@ -648,7 +648,7 @@ def _operating_point(
     findings: list[Finding],
 ) -> tuple[float | None, Estimate | None]:
     """Deflection at which the trials carry ``force``, and the slope measured there."""
-    (low, reach), rate = fitted, spoken(motion.stiffness)
+    (low, reach), rate = fitted, unit_in_words(motion.stiffness)
     deflections, slopes = [], []
     for trial in trials:
         x, f = trial.branch("loading")
@@ -670,7 +670,7 @@ def _operating_point(
         }[at is None, tangent is not None]
         slope = tangent.value if tangent else None
         where = None if at is None else motion.say(at)
-        names: dict[str, Any] = {"name": motion.force_word, "unit": spoken(motion.force), "rate": rate}
+        names: dict[str, Any] = {"name": motion.force_word, "unit": unit_in_words(motion.force), "rate": rate}
         ends: dict[str, Any] = {"low": motion.say(low), "high": motion.say(reach)}
         findings.append(finding(code, "operating point", at, force=force, at=where, slope=slope, **names, **ends))
     return at, tangent
@@ -699,7 +699,7 @@ def _advice(
 ) -> list[Finding]:
     """Findings about the fit; ``preload`` is the intercept where it is kept."""
     findings: list[Finding] = []
-    rate = spoken(motion.stiffness)
+    rate = unit_in_words(motion.stiffness)
 
     def add(code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
         findings.append(finding(code, place, value, **numbers))
@@ -722,9 +722,9 @@ def _advice(
         add("identify.few_points", few.name, few.points, points=few.points)
     if law == "linear" and len(np.unique(x)) > 3:
         u = (x - x.mean()) / float(np.ptp(x))
-        found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
-        bend = spread.estimates(found)[0]
-        share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
+        coefficients, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
+        bend = spread.estimates(coefficients)[0]
+        share = 2.0 * bend.value / coefficients[1]  # change of slope over the range / mean slope
         if bend.interval and not bend.has(0.0) and abs(share) > 0.03:  # a choice: 1.5 % to either side
             add("identify.not_linear", "linear law", share, change=share)
         sides = [x < 0.0, x > 0.0]
@@ -735,7 +735,7 @@ def _advice(
                 names = {"tension": motion.pulled, "compression": motion.pushed}
                 add("identify.slopes_differ", "linear law", pushed - pulled, **both, **names)
     if preload is not None and preload.value < 0.0:
-        add("identify.intercept", "intercept", preload.value, value=preload.value, unit=spoken(motion.force))
+        add("identify.intercept", "intercept", preload.value, value=preload.value, unit=unit_in_words(motion.force))
     slopes = pooled.curve.tangent(np.linspace(x.min(), x.max(), 200))
     if law != "monotone-spline" and float(slopes.min()) <= 0.0:
         add("identify.curve_falls", "curve")
@@ -753,7 +753,7 @@ def _no_spring(rate: float, motion: MeasuredMotion) -> list[Finding]:
     least, most, what = _SPRINGS[motion.name]
     if least <= rate <= most:
         return []
-    unit = spoken(motion.stiffness)
+    unit = unit_in_words(motion.stiffness)
     return [
         finding(
             "identify.no_spring",
@@ -849,11 +849,11 @@ def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:
     if low.standard_error is None or high.standard_error is None or low.interval is None or high.interval is None:
         return Estimate(value)
 
-    def combined(a: float, b: float) -> float:
+    def combine_errors(a: float, b: float) -> float:
         return math.hypot((1.0 - share) * a, share * b)
 
-    half = combined(low.value - low.interval[0], high.value - high.interval[0])
-    return Estimate(value, combined(low.standard_error, high.standard_error), (value - half, value + half))
+    half = combine_errors(low.value - low.interval[0], high.value - high.interval[0])
+    return Estimate(value, combine_errors(low.standard_error, high.standard_error), (value - half, value + half))
 
 
 def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> PressureStiffness:

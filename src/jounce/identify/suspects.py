@@ -51,7 +51,7 @@ class WeightedResiduals:
 
     def rate_of(self, channel: str) -> float:
         """Lowest sample rate of a channel, Hz."""
-        return min(one[3] for one in self.readings[channel])
+        return min(reading[3] for reading in self.readings[channel])
 
     def explained_by(self, slope: Array) -> tuple[float, float]:
         """Value of one more unknown, and the share of the residual that it would explain (1).
@@ -60,14 +60,14 @@ class WeightedResiduals:
         """
         if self.size < _MATTERS * self.energy:
             return 0.0, 0.0
-        beside, left = (one - self.fitted @ (self.fitted.T @ one) for one in (slope, self.vector))
+        beside, left = (column - self.fitted_space @ (self.fitted_space.T @ column) for column in (slope, self.vector))
         length, pull = float(beside @ beside), float(beside @ left)
         if length <= 0.0:
             return 0.0, 0.0
         return -pull / length, 1.0 - (float(left @ left) - pull**2 / length) / self.size
 
     @cached_property
-    def fitted(self) -> Array:
+    def fitted_space(self) -> Array:
         """Orthonormal directions of the residuals that the fitted values can change."""
         directions, sizes, _ = np.linalg.svd(self.jacobian, full_matrices=False)
         return np.asarray(directions[:, sizes > _SEEN * sizes.max(initial=0.0)])
@@ -96,8 +96,8 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
     rate = rest.rate_of(channel)
     corner, after = _best_corner(rest, channel, "low_pass", np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS))
     share = 1.0 - after / rest.size
-    late = {delay: _left_after_delay(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
-    delay = min(late, key=lambda one: late[one])
+    late = {delay: _residual_after_delay(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
+    delay = min(late, key=lambda candidate: late[candidate])
     if share < _EXPLAINS or late[delay] < ALIKE * after:
         return None
     code = "identify.behind_low_pass" if after < ALIKE * late[delay] else "identify.behind_low_pass_or_late"
@@ -119,37 +119,37 @@ def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding]
 def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Array) -> tuple[float, float]:
     """Corner (Hz) of a filter of this kind that leaves least, and what it leaves."""
 
-    def left(corner: float) -> float:
+    def residual_with(corner: float) -> float:
         sensor = Sensor.model_validate({kind: float(corner)})
-        return _left_after_change(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
+        return _residual_after_change(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
 
-    found = {float(corner): left(corner) for corner in corners}
-    best = min(found, key=lambda one: found[one])
+    misfits = {float(corner): residual_with(corner) for corner in corners}
+    best = min(misfits, key=lambda candidate: misfits[candidate])
     near = best * np.geomspace(0.75, 1.33, 7)
-    found |= {float(corner): left(corner) for corner in near if corner < FASTEST * rest.rate_of(channel)}
-    best = min(found, key=lambda one: found[one])
-    return best, found[best]
+    misfits |= {float(corner): residual_with(corner) for corner in near if corner < FASTEST * rest.rate_of(channel)}
+    best = min(misfits, key=lambda candidate: misfits[candidate])
+    return best, misfits[best]
 
 
 def late_share(rest: WeightedResiduals) -> float:
     """Share of the residual that a common delay of all records explains; other causes must explain more."""
-    rate = min(one[3] for channel in rest.readings.values() for one in channel)
+    rate = min(reading[3] for channel in rest.readings.values() for reading in channel)
 
-    def left(samples: float) -> float:
-        return _left_after_change(
+    def residual_with(samples: float) -> float:
+        return _residual_after_change(
             rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate)
         )
 
-    coarse = {float(one): left(float(one)) for one in range(-10, 21, 2)}
-    best = min(coarse, key=lambda one: coarse[one])
-    near = [left(best + part) for part in (-1.5, -1.0, -0.5, 0.5, 1.0, 1.5)]
+    coarse = {float(samples): residual_with(float(samples)) for samples in range(-10, 21, 2)}
+    best = min(coarse, key=lambda samples: coarse[samples])
+    near = [residual_with(best + part) for part in (-1.5, -1.0, -0.5, 0.5, 1.0, 1.5)]
     return 1.0 - min(coarse[best], *near) / rest.size
 
 
-def _left_after_change(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
+def _residual_after_change(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
     """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
     changes = []
-    for rows, weight, reading, rate, is_free in (one for channel in channels for one in rest.readings[channel]):
+    for rows, weight, reading, rate, is_free in (entry for channel in channels for entry in rest.readings[channel]):
         own = rest.jacobian[rows]
         both = change(np.column_stack([reading, own[:, own.any(axis=0)]]), rate)
         moved = weight * (reading - both[:, 0])
@@ -157,8 +157,8 @@ def _left_after_change(rest: WeightedResiduals, channels: Iterable[str], change:
     return rest.after(changes)
 
 
-def _left_after_delay(rest: WeightedResiduals, channel: str, delay: float) -> float:
-    return _left_after_change(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
+def _residual_after_delay(rest: WeightedResiduals, channel: str, delay: float) -> float:
+    return _residual_after_change(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
 
 
 def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:
@@ -176,7 +176,7 @@ def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | 
     """
     if not slopes.size or rest.size < _MATTERS * rest.energy:
         return None
-    beside, left = (one - rest.fitted @ (rest.fitted.T @ one) for one in (slopes, rest.vector))
+    beside, left = (column - rest.fitted_space @ (rest.fitted_space.T @ column) for column in (slopes, rest.vector))
     amplitudes = np.linalg.lstsq(beside, -left, rcond=_SEEN)[0]
     after = left + beside @ amplitudes
     share = 1.0 - float(after @ after) / rest.size
@@ -198,8 +198,10 @@ def _start_slopes(problem: UpdateProblem, scaled: Array) -> Array:
         for motion in start_motions(source):
             for shape in (motion.displaced, motion.moving):
 
-                def begun(one: FitTrial, size: float, name: str = source.name, shape: Any = shape) -> FitTrial | None:
-                    return one.in_motion({state: size * v for state, v in shape.items()}) if one.name == name else None
+                def begun(trial: FitTrial, size: float, name: str = source.name, shape: Any = shape) -> FitTrial | None:
+                    return (
+                        trial.in_motion({state: size * v for state, v in shape.items()}) if trial.name == name else None
+                    )
 
                 columns.append(problem.slope(scaled, begun, _SHIFTED))
     return np.column_stack(columns) if columns else np.zeros((0, 0))
@@ -218,14 +220,14 @@ def road_in(
     """Whether a channel is measured from the road instead of the ground; ``roads`` are heights (m) in its rows."""
     best, at = (0.0, 0.0), 0.0
     rate = rest.rate_of(channel)
-    weights = [one[1] for one in rest.readings[channel]]
+    weights = [entry[1] for entry in rest.readings[channel]]
     for ahead in np.arange(-_AHEAD, 1.01 * _AHEAD, _AHEAD_STEP):
         slope = np.zeros_like(rest.vector)
         for (rows, height), weight in zip(roads, weights, strict=True):
             slope[rows] = weight * shift_signals(height[:, None], rate, -ahead)[:, 0]
-        found = rest.explained_by(slope)
-        if found[1] > best[1]:
-            best, at = found, float(ahead)
+        explained = rest.explained_by(slope)
+        if explained[1] > best[1]:
+            best, at = explained, float(ahead)
     times, share = best
     if share < _EXPLAINS or not _WHOLE[0] < times < _WHOLE[1]:
         return None
@@ -249,39 +251,39 @@ def suspects(
     for (trial, channel), block in zip(both, residuals.blocks, strict=True):
         if channel.weight > 0.0:
             read = channel.measured - residuals.vector[block] / channel.weight
-            one = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
-            readings.setdefault(channel.name, []).append(one)
+            entry = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
+            readings.setdefault(channel.name, []).append(entry)
     rest = WeightedResiduals(residuals.vector, whole, readings, problem.data_energy)
-    freed = {one.name for one in problem.nuisances}
+    freed = {entry.name for entry in problem.nuisances}
     passes = [(channel.name, channel.sensor) for _, channel in both if channel.sensor is not None]
     low = {name for name, sensor in passes if sensor.low_pass is not None} | {f.removesuffix(LOW_PASS) for f in freed}
     high = {name for name, sensor in passes if sensor.high_pass is not None}
-    found = [low_pass_in(rest, name) for name in loud if name not in low]
-    found += [high_pass_in(rest, name) for name in loud if name not in high]
+    causes = [low_pass_in(rest, name) for name in loud if name not in low]
+    causes += [high_pass_in(rest, name) for name in loud if name not in high]
     trials = [trial.source.trial for trial in problem.trials]
     if SPEED not in freed and all(trial.speed is not None for trial in trials):
-        found.append(speed_in(rest, problem.speed_slope(scaled)))
+        causes.append(speed_in(rest, problem.speed_slope(scaled)))
     if not any(START in name for name in freed):
-        found.append(start_in(rest, _start_slopes(problem, scaled)))
+        causes.append(start_in(rest, _start_slopes(problem, scaled)))
     if all(trial.road is not None for trial in trials):
-        found += [road_in(rest, name, _roads(problem, residuals, name)) for name in loud if name.endswith(HEIGHT)]
-    likely = sorted((one for one in found if one is not None), key=lambda one: -one[0])
+        causes += [road_in(rest, name, _roads(problem, residuals, name)) for name in loud if name.endswith(HEIGHT)]
+    likely = sorted((entry for entry in causes if entry is not None), key=lambda entry: -entry[0])
     if likely and not problem.align:
         late = late_share(rest)
-        likely = [one for one in likely if 1.0 - one[0] < ALIKE * (1.0 - late)]
-    return [one for one in likely if one[0] > likely[0][0] - _AS_LIKELY]
+        likely = [entry for entry in likely if 1.0 - entry[0] < ALIKE * (1.0 - late)]
+    return [entry for entry in likely if entry[0] > likely[0][0] - _AS_LIKELY]
 
 
 def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[tuple[slice, Array]]:
     """Rows of a channel and the height of the road (m) there, for each trial."""
-    both = [(trial, one) for trial in problem.trials for one in trial.channels]
-    found = []
-    for (trial, one), rows in zip(both, residuals.blocks, strict=True):
-        if one.name == channel:
+    both = [(trial, recorded) for trial in problem.trials for recorded in trial.channels]
+    heights = []
+    for (trial, recorded), rows in zip(both, residuals.blocks, strict=True):
+        if recorded.name == channel:
             lag = residuals.lags[problem.trials.index(trial)]
-            height = shift_signals(trial.road(one)[:, None], trial.rate, lag)[:, 0]
-            found.append((rows, height - (height.mean() if one.datum == "free offset" else 0.0)))
-    return found
+            height = shift_signals(trial.road(recorded)[:, None], trial.rate, lag)[:, 0]
+            heights.append((rows, height - (height.mean() if recorded.datum == "free offset" else 0.0)))
+    return heights
 
 
 HEIGHT = ".z"

@@ -35,13 +35,16 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
     pulls = [jacobian[part].T @ residuals.vector[part] for part in rows]
     squares = [float(residuals.vector[part] @ residuals.vector[part]) for part in rows]
     gram, pull, square = sum(grams), sum(pulls), sum(squares)
-    steps = [-np.linalg.pinv(gram - one, hermitian=True) @ (pull - own) for one, own in zip(grams, pulls, strict=True)]
+    steps = [
+        -np.linalg.pinv(gram - own_gram, hermitian=True) @ (pull - own)
+        for own_gram, own in zip(grams, pulls, strict=True)
+    ]
     gains = [
         -float(step @ (pull - own)) / max(square - left, 1e-300)
         for step, own, left in zip(steps, pulls, squares, strict=True)
     ]
     worst = int(np.argmax(gains))
-    half = np.array([one.half_range for one in problem.free])
+    half = np.array([item.half_range for item in problem.free])
     values, known = problem.values(scaled), np.flatnonzero(free[: len(half)])
     moved = {problem.free[i].path: steps[worst][k] * half[i] / (values[i] or half[i]) for k, i in enumerate(known)}
     if gains[worst] < _CONTRADICTS or not moved or max(map(abs, moved.values())) < _MATTERS:
@@ -98,25 +101,25 @@ def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
 
 def exchanged_channels(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     """Name pairs of channels of one unit whose records resemble each other's reading more than their own."""
-    found = []
-    for one, other in combinations(left, 2):
-        if channel_unit(one) != channel_unit(other):
+    findings = []
+    for first, other in combinations(left, 2):
+        if channel_unit(first) != channel_unit(other):
             continue
         pairs = {part.trial: part for part in left[other]}
-        trials = [part.trial for part in left[one] if part.trial in pairs and _look_swapped(part, pairs[part.trial])]
+        trials = [part.trial for part in left[first] if part.trial in pairs and _look_swapped(part, pairs[part.trial])]
         if trials:
-            found.append(finding("identify.channels_exchanged", one, other=other, trials=", ".join(trials)))
-    return found
+            findings.append(finding("identify.channels_exchanged", first, other=other, trials=", ".join(trials)))
+    return findings
 
 
-def _look_swapped(one: LeftOver, other: LeftOver) -> bool:
-    if len(one.measured) != len(other.measured):
+def _look_swapped(first: LeftOver, other: LeftOver) -> bool:
+    if len(first.measured) != len(other.measured):
         return False
-    straight = _alike(one.measured, one.read) + _alike(other.measured, other.read)
-    return _alike(one.measured, other.read) + _alike(other.measured, one.read) > straight + _SWAPPED
+    straight = _alike(first.measured, first.read) + _alike(other.measured, other.read)
+    return _alike(first.measured, other.read) + _alike(other.measured, first.read) > straight + _SWAPPED
 
 
-def _alike(one: Array, other: Array) -> float:
-    one, other = one - one.mean(), other - other.mean()
-    size = float(np.linalg.norm(one) * np.linalg.norm(other))
-    return float(one @ other) / size if size > 0.0 else 0.0
+def _alike(first: Array, other: Array) -> float:
+    first, other = first - first.mean(), other - other.mean()
+    size = float(np.linalg.norm(first) * np.linalg.norm(other))
+    return float(first @ other) / size if size > 0.0 else 0.0

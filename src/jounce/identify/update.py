@@ -366,22 +366,22 @@ def run_update(
     datums += loads_held_against_masses(trials)
     unknowns = nuisances_of(settings.nuisances or {}, trials, f"{name}: nuisances")
     problem = UpdateProblem(trials, bounds, settings, unknowns)
-    start = np.array([item.scaled(item.initial) for item in (*bounds, *(one.free for one in unknowns))])
+    start = np.array([item.scale(item.initial) for item in (*bounds, *(nuisance.free for nuisance in unknowns))])
     names = (
         *(item.path for item in bounds),
-        *(one.name for one in unknowns),
+        *(nuisance.name for nuisance in unknowns),
         *(f"lag of {t.name}" for t in trials if align),
     )
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
-    swapped = exchanged_channels(_left_over(problem, problem.residuals(start)))
+    swapped = exchanged_channels(_residuals_by_channel(problem, problem.residuals(start)))
     starts = 1 if settings.starts is None and doubt is None else settings.starts
     search = search_from_starts(problem, start, settings.method, settings.seed, starts=starts)
     best = search.best
     findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
     findings += _common_factors(problem)
     residuals = problem.residuals(best.scaled)
-    left = _left_over(problem, residuals)
+    left = _residuals_by_channel(problem, residuals)
     findings += [*swapped, *_unexplained_channels(problem, residuals), *_copies(problem), *_frozen(problem)]
     at_bound = np.abs(best.scaled) > AT_BOUND
     findings += disagreeing(problem, residuals, best.scaled, ~at_bound) or unlike(left)
@@ -401,8 +401,8 @@ def run_update(
     if inner.any():
         covariance[np.ix_(inner, inner)] = robust_covariance(residuals.vector, whole[:, inner], residuals.blocks)
     parameters = {}
-    for i, (item, found) in enumerate(zip(problem.free, problem.values(best.scaled), strict=True)):
-        value = float(found)
+    for i, (item, fitted) in enumerate(zip(problem.free, problem.values(best.scaled), strict=True)):
+        value = float(fitted)
         error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * item.half_range
         interval = None if error is None else (value - 1.96 * error, value + 1.96 * error)
         parameters[item.path] = UpdatedParameter(
@@ -418,8 +418,8 @@ def run_update(
         if at_bound[i]:
             findings.append(finding("identify.on_bound", item.path, value))
     found_beside = {
-        one.name: _beside(one, scaled, variance, is_bound)
-        for one, scaled, variance, is_bound in zip(
+        nuisance.name: _beside(nuisance, scaled, variance, is_bound)
+        for nuisance, scaled, variance, is_bound in zip(
             unknowns,
             best.scaled[len(bounds) :],
             np.diag(covariance)[len(bounds) : problem.size],
@@ -431,14 +431,16 @@ def run_update(
     lags = dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True)) if align else {}
     correlations = correlation_of(covariance)
     alike = _correlated_pairs(names[: problem.size], correlations)
-    at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
-    findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
+    at_start = [item for item in known.findings if any(item.place == pair.place for pair in alike)]
+    findings = [*alike, *_far_masses(trials[0].rig, parameters), *(item for item in findings if item not in at_start)]
     discrepancy = calibration = None
-    for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
-        trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
+    for nuisance, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
+        trials = [nuisance.apply_to(trial, nuisance.free.value(scaled)) for trial in trials]
     if doubt is not None:
         values = {path: parameter.value for path, parameter in parameters.items()}
-        found_beside_of = {START if isinstance(one, SearchedStart) else one.name: one.width for one in unknowns}
+        found_beside_of = {
+            START if isinstance(nuisance, SearchedStart) else nuisance.name: nuisance.width for nuisance in unknowns
+        }
         calibration, more = _with_doubt(trials, bounds, values, settings, lags, priors, found_beside_of)
         if calibration is not None:
             discrepancy = discrepancy_of(calibration, settings.bench or {})
@@ -466,40 +468,51 @@ def run_update(
     return result, calibration
 
 
-def _beside(one: SearchedNuisance | SearchedStart, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
+def _beside(
+    nuisance: SearchedNuisance | SearchedStart, scaled: float, variance: float, is_bound: bool
+) -> UpdatedParameter:
     """Estimate of a nuisance as reported: its value, and its interval in its unit."""
-    free, found = one.free, float(one.free.value(scaled))
+    free, value = nuisance.free, float(nuisance.free.value(scaled))
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
-    ends = None if error is None else (found - 1.96 * error, found + 1.96 * error)
-    if not one.is_inverse:
-        return UpdatedParameter(free.initial, found, error, ends, free.lower, free.upper, is_bound, one.unit)
+    ends = None if error is None else (value - 1.96 * error, value + 1.96 * error)
+    if not nuisance.is_inverse:
+        return UpdatedParameter(free.initial, value, error, ends, free.lower, free.upper, is_bound, nuisance.unit)
     interval = None if ends is None else (1.0 / max(ends[1], 1e-12), 1.0 / max(ends[0], 1e-12))
     return UpdatedParameter(
-        1.0 / free.initial, 1.0 / found, None if error is None else error / found**2, interval,
-        1.0 / free.upper, 1.0 / free.lower, is_bound, one.unit,
+        1.0 / free.initial, 1.0 / value, None if error is None else error / value**2, interval,
+        1.0 / free.upper, 1.0 / free.lower, is_bound, nuisance.unit,
     )  # fmt: skip
 
 
-def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
+def _of_nuisances(nuisances: Mapping[str, UpdatedParameter]) -> list[Finding]:
     """What was found beside the rig's values, and that it belongs into the description of trials and sensors."""
     findings = []
-    starts = {name: one for name, one in found.items() if f": {START}, " in name}
+    starts = {name: parameter for name, parameter in nuisances.items() if f": {START}, " in name}
     if starts:
         name, largest = max(starts.items(), key=lambda item: abs(item[1].value))
         findings.append(finding("identify.starts_found", START, largest.value, value=abs(largest.value), which=name))
-    for name, one in found.items():
-        low, high = one.interval or (None, None)
-        if one.at_bound:
+    for name, parameter in nuisances.items():
+        low, high = parameter.interval or (None, None)
+        if parameter.at_bound:
             code = "identify.nuisance_on_bound"
         elif name in starts:
             continue
         elif name == SPEED:
-            code = "identify.speed_found" if one.interval is None else "identify.speed_found_within"
+            code = "identify.speed_found" if parameter.interval is None else "identify.speed_found_within"
         else:
-            code = "identify.low_pass_found" if one.interval is None else "identify.low_pass_found_within"
-        excess = one.value / one.initial - 1.0 if one.initial else 0.0
+            code = "identify.low_pass_found" if parameter.interval is None else "identify.low_pass_found_within"
+        excess = parameter.value / parameter.initial - 1.0 if parameter.initial else 0.0
         findings.append(
-            finding(code, name, one.value, value=one.value, unit=one.unit, low=low, high=high, excess=excess)
+            finding(
+                code,
+                name,
+                parameter.value,
+                value=parameter.value,
+                unit=parameter.unit,
+                low=low,
+                high=high,
+                excess=excess,
+            )
         )
     return findings
 
@@ -510,25 +523,25 @@ _FAR = 0.05  # of a mass that was weighed
 
 def _correlated_pairs(names: Sequence[str], correlation: Array) -> list[Finding]:
     """Pairs of estimates of which the data know a combination rather than each."""
-    found = []
+    findings = []
     for i, name in enumerate(names):
         for j in range(i):
             value = float(correlation[i, j])
             if abs(value) > _CORRELATED:
-                found.append(finding("identify.strongly_correlated", name, value, other=names[j], correlation=value))
-    return found
+                findings.append(finding("identify.strongly_correlated", name, value, other=names[j], correlation=value))
+    return findings
 
 
 def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Finding]:
     """Masses that end far from what the scale says."""
-    found = []
+    findings = []
     for path, parameter in parameters.items():
         if not path.endswith("mass") or rig.is_estimated(path) or parameter.initial <= 0.0:
             continue
         moved = parameter.value / parameter.initial - 1.0
         if abs(moved) > _FAR:
-            found.append(finding("identify.mass_moved", path, moved, moved=moved))
-    return found
+            findings.append(finding("identify.mass_moved", path, moved, moved=moved))
+    return findings
 
 
 def bounds_and_priors(
@@ -647,15 +660,15 @@ def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[
         if channel.weight > 0.0 and explained < _EXPLAINED:
             poor.setdefault(channel.name, {})[trial.source.name] = explained
     findings = []
-    for name, found in poor.items():
-        least = min(found.values())
-        code = "identify.explains_little_of_more" if len(found) > 4 else "identify.explains_little"
-        trials = ", ".join(list(found)[:4])
-        findings.append(finding(code, name, least, trials=trials, more=len(found) - 4, least=least))
+    for name, shares in poor.items():
+        least = min(shares.values())
+        code = "identify.explains_little_of_more" if len(shares) > 4 else "identify.explains_little"
+        trials = ", ".join(list(shares)[:4])
+        findings.append(finding(code, name, least, trials=trials, more=len(shares) - 4, least=least))
     return findings
 
 
-def _left_over(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[LeftOver]]:
+def _residuals_by_channel(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[LeftOver]]:
     """Residuals of each channel that counts, by trial, with the recordings shifted by their lags."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     left = dict[str, list[LeftOver]]()

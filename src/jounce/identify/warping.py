@@ -92,7 +92,7 @@ def _pays(x: Array, backwards: Array, band: int) -> bool:
     """Whether a path from a narrower band would save time, by how much of the band thinned signals use."""
     spare = x.size % _THIN
     first, second = x[: x.size - spare], backwards[spare:]
-    thin = [np.ascontiguousarray(one.reshape(-1, _THIN).mean(axis=1)) for one in (first, second)]
+    thin = [np.ascontiguousarray(signal.reshape(-1, _THIN).mean(axis=1)) for signal in (first, second)]
     small = band // _THIN
     _, stores = _follow(thin[0], thin[1], small, small // _NARROW, 2 * _BLOCK // _THIN, np.nan)
     return bool(np.isfinite(stores).mean() < _USED)

@@ -13,7 +13,7 @@ from jounce.identify.densities import DoubtDensity
 from jounce.identify.discrepancy import (
     DrawnRun,
     ModelErrorProblem,
-    _drawn_by,
+    _doubt_behind,
     _one_sided,
     _State,
     _Stray,
@@ -80,7 +80,7 @@ def test_the_richer_rig_moves_as_the_rig_does(name):
     numbers = richer.numbers(rig.parameters(), {}, np.zeros(len(richer.nuisances)))
     course = jn.Trial(road=jn.HalfSine(**BUMP), speed=1.95, duration=0.5)
     plain = jn.simulate(rig, course, tolerance=1e-7)
-    rich = jn.simulate(richer.described.with_changes(numbers), course, tolerance=1e-7)
+    rich = jn.simulate(richer.description.with_changes(numbers), course, tolerance=1e-7)
     for channel in ("sprung.az", "unsprung.az", "strut.force", "tyre.force"):
         size = float(np.abs(plain[channel]).max())
         assert np.abs(rich[channel] - plain[channel]).max() < 2e-4 * size, channel
@@ -187,7 +187,7 @@ def test_a_bend_of_the_damper_is_friction_to_a_model_with_a_line():
     p = {**RIG.parameters(), "strut.friction.force": 0.0, "strut.damper.coefficient": 150.0}
     xi = np.zeros(len(richer.nuisances))
     assert laws.readings("strut.friction.force", p, xi, 0.0) == pytest.approx((0.0, 0.0), abs=1e-9)
-    places, root = richer.whitened()
+    places, root = richer.damper_covariance_root()
     bends = np.array([20.0, 5.0, -2.0, -1.0, 1.0, 2.0, -5.0, -20.0])
     xi[list(places)] = np.linalg.solve(root, bends)
     component, effective = laws.readings("strut.friction.force", p, xi, 0.0)
@@ -300,10 +300,10 @@ def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends
     path = "strut.damper.coefficient"
     rig = RIG.with_changes({path: 20.0})
     richer = ExtendedRig(rig, [path], jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters)
-    places, root = richer.whitened()
+    places, root = richer.damper_covariance_root()
     xi = np.zeros(len(richer.nuisances))
     xi[list(places)] = np.linalg.solve(root, bends)
-    run = SimpleNamespace(fitted=lambda theta: {path: float(theta[0])})
+    run = SimpleNamespace(fitted_values=lambda theta: {path: float(theta[0])})
     found = _one_sided(SimpleNamespace(
         problem=SimpleNamespace(richer=richer, free=[path], runs=[run]), state=SimpleNamespace(theta=[20.0], xi=xi),
         step=SimpleNamespace(covariance=sure * np.eye(1 + len(xi))),
@@ -354,7 +354,7 @@ def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
     (said,) = (finding.message for finding in found.findings if finding.place == "sprung.az gain")
     assert said.endswith("(doubt.gain); not identified for it: guide.friction.force")
     strays = {"height": _Stray(-9.0, np.array([0.2, 0.99])), "strut.angle": _Stray(5.0, np.array([0.3, 1.01]))}
-    assert [_drawn_by(strays, i) for i in (0, 1)] == ["", "strut.angle"]
+    assert [_doubt_behind(strays, i) for i in (0, 1)] == ["", "strut.angle"]
 
 
 def test_laws_that_are_not_doubted_are_named():
@@ -479,7 +479,7 @@ def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
     state = SimpleNamespace(lags=np.array([1e-4, 3e-4]))
     one = SimpleNamespace(nuisances=[None], runs=[None, None], align=False)
     drawn = object.__new__(DrawnRun)
-    drawn.found, drawn.problem, drawn.rate = SimpleNamespace(problem=one, state=state), one, 1000.0
+    drawn.fit, drawn.problem, drawn.rate = SimpleNamespace(problem=one, state=state), one, 1000.0
     step, lags = np.array([9.0, 1.0, 2.0, 3.0, -0.4]), []  # of a doubt; speed and lag of each trial
     for drawn.fitted in (0, 1, None):
         lags.append(drawn._lag(step, None))

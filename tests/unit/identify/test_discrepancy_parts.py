@@ -74,7 +74,7 @@ def test_bench_values_are_held_against_both_intervals(bench: float, told: str) -
 
 def test_findings_of_a_calibration_name_what_to_do() -> None:
     nuisances = {"speed": NuisanceEstimate("inputs", "1", 2.0, 0.5, 0.4, 0.1)}
-    assert nuisances["speed"].moved == pytest.approx(-3.2)
+    assert nuisances["speed"].deviations == pytest.approx(-3.2)
     one = SimpleNamespace(free=[SimpleNamespace(path="a"), SimpleNamespace(path="b")])
     strays = {"speed": _Stray(-3.2, np.array([0.2, 1.01]))}
     found = _findings(one, strays, nuisances, {"a": "2.0 times"}, {"x": 0.3, "y": 0.51}, "height", 0.42)
@@ -143,7 +143,7 @@ def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: RideExtent, cur
     masses = {one.group: one.deviation for one in richer.nuisances if one.name.endswith("mass")}
     assert masses == {group: {"stated": 0.005, "lumped": 0.02, "estimated": 0.03}[group] for group in masses}
     assert ("stated" in masses) == (name == "kart-double-wishbone")
-    assert richer._gone() & {"strut.spring.rate", "tyre.stiffness"} == {
+    assert richer._absent_paths() & {"strut.spring.rate", "tyre.stiffness"} == {
         f"{part}.{'rate' if part == 'strut.spring' else 'stiffness'}" for part in curved
     }
     for part in curved:
@@ -156,7 +156,7 @@ def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: RideExtent, cur
 def test_lags_follow_what_a_step_leaves(share: float) -> None:
     """Residuals that are what the unknowns and a lag make of them: the lag is found; no parameter falls below zero."""
     draw = np.random.default_rng(6).normal
-    free = [SimpleNamespace(lower=0.0, scaled=lambda value: value - 2.0), SimpleNamespace(lower=-1.0)]
+    free = [SimpleNamespace(lower=0.0, scale=lambda value: value - 2.0), SimpleNamespace(lower=-1.0)]
     one = SimpleNamespace(
         free=free, nuisances=["a"], align=True, runs=[None, None], own=[_OwnDoubt("speed", "speed", 0.1)]
     )
@@ -167,7 +167,7 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
         common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
         residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
         blocks.append(_ChannelResiduals("az", trial, residual, common, own, lag))
-    moved = ModelErrorProblem.moved(one, state, step, blocks, share)
+    moved = ModelErrorProblem.step_state(one, state, step, blocks, share)
     np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
     np.testing.assert_allclose(moved.theta, [-2.0, 0.3 + 0.5 * share])
     np.testing.assert_allclose(moved.xi, [0.2 - 0.7 * share])
@@ -200,13 +200,13 @@ def test_what_was_weighed_counts_beside_the_priors() -> None:
     assert information.tolist() == [[1.0, 1.0], [1.0, 5.0]]
     assert score.tolist() == [3.0, 1.0]
     assert square == 4.0 * 0.25 + 9.0
-    assert equations.solved().step == pytest.approx([3.5, -0.5])
+    assert equations.solve().step == pytest.approx([3.5, -0.5])
 
 
 def test_a_step_weighs_noise_and_a_third_of_the_energy_of_the_rest() -> None:
     """Normal equations by hand, with the weights that the step itself leaves."""
     one = system()
-    found = one.solved()
+    found = one.solve()
     step = found.step
     left = [(name, residual - columns @ step[index]) for name, columns, residual, index in one.rows]
     for name in "ab":
@@ -232,14 +232,14 @@ def test_a_step_weighs_noise_and_a_third_of_the_energy_of_the_rest() -> None:
     doubted = np.array([False, True, False, False])
     for rest, share in ((True, 1.0 / 3.0), (False, 0.0)):
         kept = np.linalg.inv(np.delete(np.delete(information(share), 1, 0), 1, 1))
-        known = one.known(doubted, found, rest=rest)
+        known = one.covariance_given(doubted, found, rest=rest)
         np.testing.assert_allclose(np.delete(np.delete(known, 1, 0), 1, 1), kept, rtol=1e-9)
         assert not known[1].any()
 
 
 def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
     one = system()
-    found = one.solved()
+    found = one.solve()
     free = [SimpleNamespace(path="k")]
     nuisances = [SimpleNamespace(name="gravel", group="height", mean=0.0, deviation=1.0)]
     calibration = SimpleNamespace(
@@ -258,8 +258,8 @@ def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
     slopes = np.array([[2.0, 0.5]])  # of the reading by parameter and doubt
     error = np.sqrt(np.einsum("ij,jl,il->i", slopes, found.covariance[:2, :2], slopes))
     shares = _shares(calibration, one, found, slopes, error)
-    covariances = {name: one.known(mask, found) for name, mask in masks.items()}
-    covariances["unexplained rest"] = one.known(np.zeros(4, dtype=bool), found, rest=False)
+    covariances = {name: one.covariance_given(mask, found) for name, mask in masks.items()}
+    covariances["unexplained rest"] = one.covariance_given(np.zeros(4, dtype=bool), found, rest=False)
     for name, covariance in covariances.items():
         expected = 1.0 - float(slopes[0] @ covariance[:2, :2] @ slopes[0]) / error[0] ** 2
         assert shares["k"][name] == pytest.approx(expected)
@@ -289,7 +289,7 @@ def test_a_step_that_cannot_be_simulated_is_halved() -> None:
         tried.append(share)
         return share
 
-    one = SimpleNamespace(moved=moved, blocks=blocks, free=["k"])
+    one = SimpleNamespace(step_state=moved, blocks=blocks, free=["k"])
     place = _SearchPoint(one, None, [], [])
     after = place.after(np.array([50.0, 3.0 / 0.8]))  # doubts go three standard deviations at most, parameters as far
     assert (after.state, after.blocks, after.states) == (pytest.approx(0.2), ["blocks"], ["states"])
@@ -348,15 +348,15 @@ def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
     """At 2 m/s instead of 2.5; what it slows begins at the obstacle, and what it has lost stays behind it."""
     track = jn.mechanics.interpolated([0.0, 1.0, 2.0, 3.0, 5.0], [0.0, 0.0, 1.0, 0.0, 0.0])
     run = SimpleNamespace(road=True, speed=2.5, passing=(1.0, 3.0))
-    moved = _Run._warped(run, track, {"speed": -0.5, "slowing": 0.1})
+    moved = _Run._warp(run, track, {"speed": -0.5, "slowing": 0.1})
     assert moved.edges[1:-1] == pytest.approx([0.0, 1.25, 2.5 + 0.05 / 2.0, 3.75 + 0.1, 6.25 + 0.1 + 0.2])
-    assert _Run._warped(SimpleNamespace(road=False), track, {"speed": -0.5}) is track
+    assert _Run._warp(SimpleNamespace(road=False), track, {"speed": -0.5}) is track
 
 
 def test_doubts_in_their_own_deviations_are_those_of_correlated_forces() -> None:
     root = np.array([[2.0, 0.0], [1.0, 3.0]])
     nuisances = [SimpleNamespace(deviation=deviation) for deviation in (9.0, 4.0, 5.0)]
-    one = SimpleNamespace(richer=SimpleNamespace(whitened=lambda: ((1, 2), root)), nuisances=nuisances)
+    one = SimpleNamespace(richer=SimpleNamespace(damper_covariance_root=lambda: ((1, 2), root)), nuisances=nuisances)
     assert _in_prior_deviations(one, np.array([7.0, 2.0, -1.0])).tolist() == [7.0, 1.0, -0.2]
 
 
@@ -371,15 +371,15 @@ def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) 
     nuisances = [SimpleNamespace(name="bump", group="height", mean=0.0, deviation=1.0)]
     one = SimpleNamespace(
         free=free, nuisances=nuisances, runs=[0], own=[], align=True, names=["a"],
-        richer=SimpleNamespace(whitened=lambda: None),
+        richer=SimpleNamespace(damper_covariance_root=lambda: None),
     )  # fmt: skip
     equations = _System(["a"], rows, np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.zeros((0, 3)))
-    found = equations.solved()
+    found = equations.solve()
     state = _State(np.zeros(1), np.zeros(1), np.zeros((1, 0)), np.zeros(1))
     slopes = np.array([[[1.0, 0.02]], [[1.0, 0.0]]])
     name, left, strays = _free_group_by_group(one, state, equations, found, slopes, np.array([[0.5], [0.5]]))
     assert name == named
-    freer = equations.solved(np.array([0.0, 1e-4]))
+    freer = equations.solve(np.array([0.0, 1e-4]))
     energy = (freer if named else found).energy["a"] / (500.0 * found.noise["a"])
     assert left == pytest.approx(energy / (1.0 + energy))
     assert set(strays) == ({"bump"} if named else set())
@@ -463,7 +463,7 @@ def test_friction_that_the_rig_states_is_no_part_of_the_damper() -> None:
 def test_forces_beside_a_law_of_two_sides_count_on_the_side_they_are_on() -> None:
     """The same force on both sides is so much more in bump and so much less in rebound."""
     richer = _richer(BILINEAR, SIDES)
-    places, root = richer.whitened()
+    places, root = richer.damper_covariance_root()
     xi = np.zeros(len(richer.nuisances))
     xi[list(places)] = np.linalg.solve(root, 40.0 * np.array([-0.5, -0.175, -0.06, -0.015, 0.015, 0.06, 0.175, 0.5]))
     laws, p = Laws(richer, [_passed(0.007 + 0.01 * _PASS)]), BILINEAR.parameters()
@@ -492,6 +492,6 @@ def test_what_is_doubted_of_a_damper_is_a_share_of_the_law_that_was_fitted() -> 
 def test_a_side_that_is_fitted_to_nothing_stays_as_it_is(fitted: tuple[float, float], *, knotted: bool) -> None:
     values, doubt = dict(zip(SIDES, fitted, strict=True)), jn.Doubt(damper_force=0.0)
     richer = ExtendedRig(BILINEAR, SIDES, doubt, RideExtent(0.007, 0.0015, 0.5), [], values)
-    assert (richer.whitened() is not None) == knotted
-    assert ("damper" in richer.undoubted()) == (not knotted)
+    assert (richer.damper_covariance_root() is not None) == knotted
+    assert ("damper" in richer.laws_as_described()) == (not knotted)
     assert all(np.isfinite(one.deviation) and one.deviation > 0.0 for one in richer.nuisances)

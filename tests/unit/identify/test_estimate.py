@@ -110,8 +110,8 @@ def test_central_differences_are_exact_for_parabolas():
 
 def test_a_derived_quantity_knows_what_its_parameters_know():
     spread = Uncertainty(np.array([[4.0, 1.0], [1.0, 9.0]]), 10.0, 1.0)
-    found = spread.derived(7.0, np.array([1.0, -2.0]))
+    found = spread.propagate(7.0, np.array([1.0, -2.0]))
     assert found.standard_error == pytest.approx(math.sqrt(4.0 - 4.0 + 36.0))
     assert found.interval[1] == pytest.approx(7.0 + 2.2281 * 6.0, rel=1e-4)
     assert [one.standard_error for one in spread.estimates(np.array([1.0, 2.0]))] == [2.0, 3.0]
-    assert Uncertainty(np.full((2, 2), np.inf), 1.0, 1.0).derived(7.0, np.ones(2)) == Estimate(7.0)
+    assert Uncertainty(np.full((2, 2), np.inf), 1.0, 1.0).propagate(7.0, np.ones(2)) == Estimate(7.0)

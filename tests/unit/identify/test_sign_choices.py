@@ -21,7 +21,7 @@ def asked(choice: _Choice, *, turned: bool) -> tuple[Signs, Told]:
         item = finding(code, "a.csv", value, **numbers)
         told.append((item.severity, item.message, item.value))
 
-    return (choice.turned if turned else choice.dissipating)(add), told
+    return (choice.reverse_one if turned else choice.dissipating)(add), told
 
 
 @pytest.mark.parametrize("stroke", [False, True])

@@ -330,7 +330,7 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
         moved = xi.copy()
         moved[names.index(name)] = 3.0
         assert richer.plain(p, {}, moved)[name] == pytest.approx(became)
-    places, root = richer.whitened()
+    places, root = richer.damper_covariance_root()
     moving = np.concatenate([-knots[::-1], knots])
     scale = 0.2 * coefficient * np.abs(moving) + 2.0
     assert np.sqrt(np.diag(root @ root.T)) == pytest.approx(scale, rel=1e-6)
