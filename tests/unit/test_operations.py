@@ -156,3 +156,29 @@ def test_a_live_trial_is_python_without_files_and_a_command_with_one():
     given = {"rig": "kart-quarter-car", "speed": "2 m/s", "duration": "0.5 s"}
     text = Request(operations()["simulate"], {**given, "road": bump}).python()
     assert "trial=jn.Trial(road=jn.HalfSine(height='10 mm', length='60 mm'), speed=2.0, duration=0.5)," in text
+
+
+def test_one_option_may_feed_several_parameters():
+    operation = operations()["inspect simulate"]
+    changes = {"tester.plate_mass": "25 kg", "sprung.mass": "450 kg"}
+    request = Request(operation, {"rig": "audi-a6-quarter-car", "method": "egea", "set": changes})
+    assert request.words()[2:] == [
+        "audi-a6-quarter-car", "--set=tester.plate_mass=25 kg", "--set=sprung.mass=450 kg", "--method=egea",
+    ]  # fmt: skip
+    made = request.make(request.read())
+    assert (made["rig"].sprung.mass, made["tester"].plate_mass) == (450.0, 25.0)
+    assert "tester=jn.load_tester('egea-specsus2018').with_changes({'plate_mass': '25 kg'})," in request.python()
+    alone = Request(operation, {"rig": "audi-a6-quarter-car"})
+    with pytest.raises(DescriptionError, match="--method: no method is given"):
+        alone.make(alone.read())
+
+
+def test_each_record_is_shown_as_soon_as_it_is_stored(tmp_path):
+    (tmp_path / "half.csv").write_text("time [s], left.plate.z [mm]")
+    (tmp_path / "empty.csv").write_text("")
+    files = [str(tmp_path / name) for name in ("half.csv", "empty.csv")]
+    request = Request(operations()["inspect import"], {"files": files, "store": str(tmp_path / "lane.sqlite")})
+    shown: list[object] = []
+    found = request.call(request.read(), {}, show=shown.append)
+    assert shown == [found.records[0], *found.failed.values()]
+    assert not found.is_whole
