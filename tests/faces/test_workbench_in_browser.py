@@ -130,6 +130,8 @@ def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
     page.wait_for_selector("html[data-ready=record]")
     until(page, "document.activeElement.id === 'main'")  # the link is gone: on to what it led to
     page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.title") == "Save this page"
+    page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.textContent") == "Compare with a simulation"
     page.context.close()
     assert opened.troubles == []
@@ -503,3 +505,45 @@ def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_thr
     assert page.get_by_text("The server no longer reports on jobs").count() == 0
     context.close()
     assert troubles == []
+
+
+def _saved(page: Any, menu: Any, entry: str, folder: Path) -> Path:
+    menu.locator("summary").click()
+    with page.expect_download(timeout=60_000) as download:
+        menu.get_by_role("button", name=entry, exact=True).click()
+    file: Path = folder / download.value.suggested_filename
+    download.value.save_as(file)
+    return file
+
+
+@pytest.mark.pages
+def test_what_a_page_shows_is_saved_and_copied(workbench, browser, tmp_path):
+    """Curves with the numbers that are drawn, within the range that is visible; tables, drawings and the page."""
+    allowed = {"accept_downloads": True, "permissions": ["clipboard-read", "clipboard-write"]}
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900}, **allowed)
+    page = opened.page
+    opened.go(f"trial?rig={RIG}")
+    until(page, "document.querySelectorAll('.plots canvas').length > 2")
+    curves = page.locator("details.save").filter(has_text="Copy the numbers")
+    assert _saved(page, curves, "SVG", tmp_path).read_text().startswith("<svg")
+    assert _saved(page, curves, "PNG × 2", tmp_path).read_bytes().startswith(b"\x89PNG")
+    rows = _saved(page, curves, "CSV", tmp_path).read_text("utf-8-sig").splitlines()
+    assert rows[0].startswith("time [s],")
+    assert "sprung.az" in rows[0]
+    assert [float(rows[k].split(",")[0]) for k in (1, -1)] == [0.0, 1.5]
+    curves.locator("summary").click()
+    curves.get_by_role("button", name="Copy the numbers").click()
+    until(page, "navigator.clipboard.readText().then((text) => text.startsWith('time [s]\\t'))")
+    page.get_by_role("button", name="+", exact=True).click()
+    seen = _saved(page, curves, "CSV", tmp_path).read_text("utf-8-sig").splitlines()
+    assert 3 < len(seen) < 0.6 * len(rows)
+    drawing = page.locator(".mechanism details.save")
+    assert _saved(page, drawing, "PNG", tmp_path).stat().st_size > 10_000
+    whole = page.locator("main > .saving details")
+    assert _saved(page, whole, "PDF document", tmp_path).read_bytes().startswith(b"%PDF")
+    assert "sprung.az" in _saved(page, whole, "HTML report", tmp_path).read_text()
+    opened.go("project")
+    table = page.locator(".savable details.save").first
+    assert RIG in _saved(page, table, "CSV", tmp_path).read_text("utf-8-sig")
+    assert opened.troubles == []
+    opened.context.close()

@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
 import { colour, isFast, make, whenLeft, writtenTo } from "./page";
+import { offerChart, type ShownChart } from "./shown";
 import { localised } from "./words";
 
 export interface Line {
@@ -51,6 +52,7 @@ export class LinkedPlots {
     private readonly moved: (x: number) => void,
     private readonly zoomed: (range: [number, number]) => void = () => {},
   ) {
+    offerChart(this.element, () => this.chart());
     whenLeft(() => this.clear()); // plots whose cursors are linked know each other until then
     new ResizeObserver(() => this.resize()).observe(this.element);
     this.element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -95,6 +97,20 @@ export class LinkedPlots {
     this.mark(this.place);
     this.zoomed(this.range);
     return true;
+  }
+
+  /** The visible curves as data. */
+  private chart(): ShownChart | null {
+    if (!this.shown) return null;
+    const panels = this.shown.panes.map((pane) => ({
+      title: pane.title,
+      unit: pane.unit,
+      curves: pane.lines
+        .filter((line) => line.shown)
+        .map(({ label, role, y }) => ({ label, role, y })),
+    }));
+    const { x, xLabel: x_label } = this.shown;
+    return { x_label, x, panels, window: this.range, columns: 1 };
   }
 
   clear(): void {

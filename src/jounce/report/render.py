@@ -234,11 +234,11 @@ def chart_html(chart: Chart) -> str:
     )
 
 
-def png_of(svg: str) -> bytes:
-    """Draw an SVG file as PNG, twice as large, with the fonts of matplotlib: the same everywhere."""
+def png_of(svg: str, scale: float = 2.0) -> bytes:
+    """Draw an SVG file as PNG, twice as large or by another scale, with the fonts of matplotlib: the same everywhere."""
     source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
     files = {"main.typ": source.encode(), "figure.svg": plain_colours(svg).encode()}
-    (made,) = compiled(files, "png", ppi=192.0)
+    (made,) = compiled(files, "png", ppi=96.0 * scale)
     return bytes(made)
 
 

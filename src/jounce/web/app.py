@@ -23,10 +23,11 @@ from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.bodies import Route
+from jounce.web.exports import KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
 from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
 from jounce.web.records import Records
-from jounce.web.safety import Guard, sealed
+from jounce.web.safety import EXPORT, Guard, sealed
 from jounce.web.working import routes
 
 require("fastapi", "web")  # ruff: isort: split
@@ -302,6 +303,13 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def compare(asked: OverlayRequest, request: Request) -> Response:
         """Draw recordings over each other."""
         return _told(history.compared(project, asked.paths, asked.channels), request)
+
+    @app.post(EXPORT)
+    def export(asked: Exported) -> Response:
+        """Write what a page shows as a picture, a document or a table."""
+        content = exported(asked)
+        kept = {"Content-Disposition": f'attachment; filename="{file_name(asked)}"'}
+        return Response(content, media_type=KINDS[asked.form], headers=kept)
 
     @app.post("/api/kinematics")
     def kinematics(asked: SweepRequest, request: Request) -> Response:

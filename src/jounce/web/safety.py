@@ -30,6 +30,7 @@ _OPEN = ("/", "/app.js", "/app.css", "/icon.svg")
 """The page itself, which holds nothing of anybody's."""
 _LARGEST = 4_000_000  # bytes of a request
 UPLOAD, _LARGEST_UPLOAD = "/api/upload", 250_000_000
+EXPORT, _LARGEST_EXPORT = "/api/export", 100_000_000  # the numbers of all curves of a page
 
 
 PROTOCOL = "jounce"
@@ -71,7 +72,7 @@ class Guard:
         length = headers.get("content-length", "0").strip()
         if not length.isdecimal() or not length.isascii():
             return 400, "The length of the request is no number."
-        most = _LARGEST_UPLOAD if scope["path"] == UPLOAD else _LARGEST
+        most = {UPLOAD: _LARGEST_UPLOAD, EXPORT: _LARGEST_EXPORT}.get(scope["path"], _LARGEST)
         if int(length[:20]) > most or "transfer-encoding" in headers:
             return 413, f"A request has {most} bytes at most, and says how many."
         if scope["path"] == "/" and scope["query_string"]:

@@ -22,6 +22,7 @@ import { rig } from "./pages/rig";
 import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
 import { problem } from "./parts";
+import { savePage } from "./saving";
 import { address, carried, carry, type Page, setLive } from "./shell";
 
 export { key, quantity, spoken } from "./quantities";
@@ -54,7 +55,7 @@ async function show(): Promise<void> {
   });
   carry(carried(chosen, new URLSearchParams(values)));
   document.title = `${tr(PAGES[chosen]!.label)} – jounce workbench`;
-  document.getElementById("main")!.replaceChildren(place);
+  document.getElementById("main")!.replaceChildren(savePage(), place);
   try {
     await PAGES[chosen]!.show(place, new URLSearchParams(values));
   } catch (error) {

@@ -2,6 +2,7 @@
 
 import { at, type Model, type Numbers, type Store } from "../data";
 import { colour, make, sized, whenColoursChange, written } from "../page";
+import { offerChart, type ShownChart } from "../shown";
 import { isGerman, localised, tr } from "../words";
 import { quantity } from "./quantities";
 
@@ -13,7 +14,8 @@ export interface Band {
 }
 interface One {
   name: string;
-  lines: { role: string; y: Numbers }[];
+  unit: string;
+  lines: { role: string; label: string; y: Numbers }[];
   band: Band | null;
   canvas: HTMLCanvasElement;
   value: HTMLElement;
@@ -32,6 +34,7 @@ export class Multiples {
   readonly element = make("div", { class: "multiples" });
   private plots: One[] = [];
   private x: Numbers = [];
+  private xLabel = "";
   private kind = "";
   private wanted = "";
   private width = 0;
@@ -40,6 +43,7 @@ export class Multiples {
 
   /** `moved` hears where the pointer is on the axis. */
   constructor(private readonly moved: (x: number) => void) {
+    offerChart(this.element, () => this.chart());
     new ResizeObserver(() => this.sized()).observe(this.element);
     whenColoursChange(() => {
       this.colours = {};
@@ -47,7 +51,25 @@ export class Multiples {
     });
   }
 
+  /** The visible curves as data. */
+  private chart(): ShownChart | null {
+    const panels = this.plots
+      .filter((one) => !one.box.hidden)
+      .map(({ name, unit, lines }) => ({
+        title: quantity(name),
+        unit,
+        curves: lines.map(({ label, role, y }) => ({
+          label: lines.length > 1 ? label : "",
+          role,
+          y,
+        })),
+      }));
+    if (!panels.length) return null;
+    return { x_label: this.xLabel, x: this.x, panels, window: this.ends(), columns: 2 };
+  }
+
   show(model: Model, store: Store, bands: Band[]): void {
+    this.xLabel = `${model.x.words} [${model.x.unit || "–"}]`;
     const scene = model.scenes[0]!,
       panes = scene.panes.filter((pane) => !pane.name.startsWith("Δ"));
     this.x = store.get(scene.x);
@@ -60,7 +82,7 @@ export class Multiples {
     }
     panes.forEach((pane, k) => {
       const one = this.plots[k]!;
-      one.lines = pane.curves.map(({ role, y }) => ({ role, y: store.get(y) }));
+      one.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
       one.band = bands.find((band) => band.quantity === pane.name) ?? null;
       one.box.classList.toggle("wanted", one.band !== null);
     });
@@ -129,7 +151,7 @@ export class Multiples {
       ),
       holder,
     );
-    return { name, lines: [], band: null, canvas, value, mark, box, verdict };
+    return { name, unit, lines: [], band: null, canvas, value, mark, box, verdict };
   }
 
   private sized(): void {

@@ -2,12 +2,14 @@
 
 import { type Model, Store } from "../data";
 import { make, written } from "../page";
-import { Player } from "../player";
+import type { Player } from "../player";
 import { tr } from "../words";
 import type { Answer, OfRig, Rig, RigNumber } from "./api";
 import { mayLeave } from "./drafts";
 import { inWords } from "./quantities";
-import { asSaid, Refused } from "./refusals";
+import { savable } from "./saving";
+
+export { problem } from "./refusals";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
   return make(
@@ -39,18 +41,6 @@ export function select(
 /** A choice that may stay empty; `none` is the text of the empty option. */
 export const optional = (none: string, values: readonly string[]): HTMLSelectElement =>
   select(["", ...values], "", (value) => tr(value || none));
-
-export function problem(error: unknown): HTMLElement {
-  return make(
-    "p",
-    { class: "problem", role: "alert" },
-    error instanceof Refused
-      ? asSaid(error.english, error.german)
-      : error instanceof Error
-        ? error.message
-        : String(error),
-  );
-}
 
 /** Disables a button while its work runs, so that a second press starts nothing. */
 export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T> {
@@ -424,7 +414,7 @@ export class Live {
       const model = store.content.viewers[0]!;
       if (this.player) this.player.replace(model, store);
       else {
-        this.player = new Player(model, store);
+        this.player = savable(model, store);
         this.place.replaceChildren(this.player.element);
         this.player.moved = (place) => this.moved?.(place);
         this.player.lacking = () => void this.ask();

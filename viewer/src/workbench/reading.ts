@@ -2,13 +2,13 @@
 
 import { Store } from "../data";
 import { make, written } from "../page";
-import { Player } from "../player";
 import { tr } from "../words";
 import { Question } from "./jobs";
 import { field, snippets } from "./parts";
 import { line, plane, svg } from "./picture";
 import { inWords } from "./quantities";
 import { advised, asSaid } from "./refusals";
+import { savable } from "./saving";
 import { table } from "./table";
 
 interface Preview {
@@ -207,7 +207,7 @@ export class Reading {
         .then(inWords)
         .then((store) => {
           const model = store.content.viewers[0];
-          if (model) holder.replaceChildren(new Player(model, store).element);
+          if (model) holder.replaceChildren(savable(model, store).element);
         });
     }
     return [...shown, snippets(reply)];

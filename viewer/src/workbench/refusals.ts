@@ -101,3 +101,16 @@ export function advised(findings: Finding[], tag: "p" | "li"): HTMLElement[] {
   }
   return [...shown.values()];
 }
+
+/** What went wrong, as a paragraph. */
+export function problem(error: unknown): HTMLElement {
+  return make(
+    "p",
+    { class: "problem", role: "alert" },
+    error instanceof Refused
+      ? asSaid(error.english, error.german)
+      : error instanceof Error
+        ? error.message
+        : String(error),
+  );
+}

@@ -1,6 +1,7 @@
 /** Tables of pages: a labelled scroll region with column and row headers. */
 
 import { make } from "../page";
+import { saveTable } from "./saving";
 
 export type Cell = Node | string | (Node | string)[];
 
@@ -31,17 +32,15 @@ export function table(
   const body = Array.isArray(rows)
     ? make("tbody", {}, ...rows.map((cells) => row(cells, numbers)))
     : rows;
-  return make(
-    "div",
-    { class: "table", tabindex: "0", role: "region", "aria-label": label },
-    make(
-      "table",
-      {},
-      ...(caption ? [make("caption", {}, caption)] : []),
-      make("thead", {}, make("tr", {}, ...heads)),
-      body,
-    ),
+  const whole = make(
+    "table",
+    {},
+    ...(caption ? [make("caption", {}, caption)] : []),
+    make("thead", {}, make("tr", {}, ...heads)),
+    body,
   );
+  const region = { class: "table", tabindex: "0", role: "region", "aria-label": label };
+  return make("div", { class: "savable" }, make("div", region, whole), saveTable(whole, label));
 }
 
 const aligned = (isNumber: boolean): Record<string, string> => (isNumber ? { class: "right" } : {});

@@ -12,6 +12,7 @@ import { field, LiveSnippets, Newest, Outdated, once, problem, Sliders, Steps } 
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
+import { saveChart, saveDrawing } from "../saving";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
 export const kinematics: Page = { label: "Kinematics", show };
@@ -229,6 +230,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 
   const view = new MechanismView(true),
     stage = make("div", { class: "player bare" }, view.element);
+  saveDrawing(view.element);
   let swept: Over = "travel",
     centres: Centres | null = null,
     isTurned = true,
@@ -477,6 +479,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       field(tr("Compare with"), against),
       field(tr("Targets of a study"), chosen),
       field(tr("Show curves with"), filter),
+      saveChart(multiples.element, () => `${name}: ${tr("kinematics")}`),
     ),
     make(
       "div",

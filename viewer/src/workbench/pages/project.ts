@@ -2,12 +2,12 @@
 
 import { Store } from "../../data";
 import { make, written } from "../../page";
-import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
+import { savable } from "../saving";
 import { address, goTo, type Page } from "../shell";
 import { table } from "../table";
 
@@ -313,7 +313,7 @@ function history(kept: Kept[]): HTMLElement {
       (answer) => {
         const store = inWords(Store.of(answer));
         out.replaceChildren(
-          new Player(store.content.viewers[0]!, store).element,
+          savable(store.content.viewers[0]!, store).element,
           snippets(store.content as unknown as api.Answer),
         );
       },

@@ -7,6 +7,7 @@ import { localised, tr } from "../../words";
 import * as api from "../api";
 import { LiveSnippets, Newest } from "../parts";
 import { asSaid } from "../refusals";
+import { saveChart } from "../saving";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
 export const record: Page = { label: "Records", show };
@@ -138,7 +139,14 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const player = make(
     "div",
     { class: "player", tabindex: "0", role: "region", "aria-label": tr("curves") },
-    make("div", { class: "bar" }, buttons, make("span", { class: "grow" }), zooms),
+    make(
+      "div",
+      { class: "bar" },
+      buttons,
+      make("span", { class: "grow" }),
+      zooms,
+      saveChart(plots.element, () => path),
+    ),
     make("div", { class: "plots-only" }, plots.element),
   );
   player.addEventListener("keydown", (event) => {
@@ -178,7 +186,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     state,
     make(
       "p",
-      { class: "muted" },
+      { class: "hint muted" },
       tr(
         "Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.",
       ),

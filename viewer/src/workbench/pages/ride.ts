@@ -2,7 +2,6 @@
 
 import { Store } from "../../data";
 import { make, written } from "../../page";
-import { Player } from "../../player";
 import { tr } from "../../words";
 import type { ParetoFront } from "../answers";
 import * as api from "../api";
@@ -23,6 +22,7 @@ import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
+import { savable } from "../saving";
 import { address, carry, given, goTo, type Page, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 import type { Choices } from "./inspection";
@@ -229,7 +229,7 @@ function overlay(): HTMLElement {
           if (!holder.isConnected) return; // others were drawn meanwhile
           draw = () => {
             const model = store.content.viewers[Number(over.value)];
-            if (model) holder.replaceChildren(new Player(model, store).element);
+            if (model) holder.replaceChildren(savable(model, store).element);
           };
           draw();
         });

@@ -10,6 +10,7 @@ import { Form, type Key, type Value } from "../form";
 import { copied, InTurn, LiveSnippets, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { advised } from "../refusals";
+import { saveDrawing } from "../saving";
 import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 
 export const rig: Page = { label: "Rig", show };
@@ -75,6 +76,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
   const view = new MechanismView(true),
     stage = make("div", { class: "player bare", hidden: true }, view.element);
+  saveDrawing(view.element);
   const points = new Points(view, (changes, done) => {
     if (done) void edit({ changes });
     else void draw(changes);

@@ -1,0 +1,302 @@
+"""Curves and tables that a page of the workbench shows, as files: pictures, documents and tables.
+
+The browser sends what is on its screen as blocks of a page, and the writers of reports write it: a figure on a slide,
+a document and a workbook show the same numbers as the page.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import tempfile
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Annotated, Any, Literal, TypeAlias
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, PlainValidator, WithJsonSchema, model_validator
+
+from jounce.core.errors import JounceError
+from jounce.core.text import slug
+from jounce.core.types import Array
+from jounce.core.units import Unit
+from jounce.report.chart import Chart, Panel, Series, Style, chart_svg
+from jounce.report.document import table_csv, tables_xlsx
+from jounce.report.page import Block, Page, PageTable, Paragraph, Section
+from jounce.report.render import REPORTS, chart_style, plain_colours, png_of
+
+Form = Literal["png", "svg", "pdf", "html", "csv", "xlsx"]
+KINDS: dict[Form, str] = {
+    "png": "image/png",
+    "svg": "image/svg+xml",
+    "pdf": "application/pdf",
+    "html": "text/html; charset=utf-8",
+    "csv": "text/csv; charset=utf-8",
+    "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+}
+_MOST_PANELS, _MOST_BLOCKS = 120, 200
+_WIDE, _NARROW = (880, 230), (430, 210)  # pixels of a panel in one column, and side by side
+
+
+def _read_values(given: Any) -> Array:
+    if not isinstance(given, list) or not all(isinstance(value, int | float) or value is None for value in given):
+        raise ValueError("not a list of numbers and nulls")
+    return np.array(given, dtype=float)  # null is NaN
+
+
+Values = Annotated[
+    Any,
+    PlainValidator(_read_values),
+    WithJsonSchema({"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "null"}]}}),
+]
+"""Numbers in the unit that a page shows; null where nothing is known."""
+
+
+class _Sent(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+class SentCurve(_Sent):
+    """One curve over the axis of its figure, in the unit of its panel."""
+
+    label: str = ""
+    role: Annotated[str, Field(pattern=r"^[a-z]+(-\d)?$")] = "after"
+    y: Values
+
+
+class SentPanel(_Sent):
+    """A pair of axes."""
+
+    title: str
+    unit: str = ""
+    curves: list[SentCurve] = Field(max_length=20)
+
+
+class SentChart(_Sent):
+    """Panels over one axis; ``window`` is the part of it that is shown."""
+
+    kind: Literal["chart"]
+    caption: str
+    x_label: str
+    x: Values
+    panels: list[SentPanel] = Field(min_length=1, max_length=_MOST_PANELS)
+    window: tuple[Annotated[float, Unit("1")], Annotated[float, Unit("1")]] | None = None
+    columns: Annotated[int, Field(ge=1, le=3)] = 1
+
+    @model_validator(mode="after")
+    def _check_lengths(self) -> SentChart:
+        for panel in self.panels:
+            for curve in panel.curves:
+                if len(curve.y) != len(self.x):
+                    raise ValueError(f"{panel.title}: {len(curve.y)} values over an axis of {len(self.x)}")
+        return self
+
+
+class SentTable(_Sent):
+    """A table as it is read; ``numbers`` are the columns that are aligned on the right."""
+
+    kind: Literal["table"]
+    caption: str
+    header: list[str] = Field(min_length=1, max_length=100)
+    rows: list[list[str]] = Field(max_length=20_000)
+    numbers: list[int] = []
+
+    @model_validator(mode="after")
+    def _check_lengths(self) -> SentTable:
+        for number, row in enumerate(self.rows, 1):
+            if len(row) != len(self.header):
+                raise ValueError(f"row {number} has {len(row)} cells, the header {len(self.header)}")
+        return self
+
+
+class SentText(_Sent):
+    """A paragraph, or the heading of what follows."""
+
+    kind: Literal["text", "heading"]
+    text: str
+
+
+Sent: TypeAlias = Annotated[SentChart | SentTable | SentText, Field(discriminator="kind")]
+
+
+class Exported(_Sent):
+    """What is shown, and the file that is wanted; ``scale`` is the resolution of a PNG against that of the screen."""
+
+    title: str
+    subtitle: str = ""
+    form: Form
+    scale: Annotated[float, Unit("1", at_least=0.5, at_most=8.0)] = 2.0
+    blocks: list[Sent] = Field(min_length=1, max_length=_MOST_BLOCKS)
+
+
+def exported(asked: Exported) -> bytes:
+    """Write what a page shows as a file of the form that is asked for.
+
+    Raises
+    ------
+    JounceError
+        For a picture of something that is no figure, and a CSV file of several figures or tables.
+    MissingPackageError
+        Without typst (PNG and PDF, extra ``pdf``) or openpyxl (XLSX, extra ``io``).
+    """
+    return _WRITERS[asked.form](asked)
+
+
+def file_name(asked: Exported) -> str:
+    """Name of the file that a browser saves."""
+    return f"{slug(asked.title)}.{asked.form}"
+
+
+def _svg(asked: Exported) -> bytes:
+    return plain_colours(chart_svg(_only_chart(asked), chart_style())).encode()
+
+
+def _png(asked: Exported) -> bytes:
+    return png_of(chart_svg(_only_chart(asked), chart_style()), asked.scale)
+
+
+def _only_chart(asked: Exported) -> Chart:
+    charts = [block for block in asked.blocks if isinstance(block, SentChart)]
+    if len(charts) != 1 or len(asked.blocks) != 1:
+        hint = "Save each figure from its own menu, or the whole page as PDF."
+        raise JounceError("this format holds one figure", where=asked.form, found=len(charts), hint=hint)
+    return chart_of(charts[0], "figure")
+
+
+def _document(asked: Exported) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        return Path(REPORTS.write(page_of(asked), Path(folder) / f"page.{asked.form}")).read_bytes()
+
+
+def _csv(asked: Exported) -> bytes:
+    data = [block for block in asked.blocks if not isinstance(block, SentText)]
+    if len(data) != 1:
+        hint = "Save each figure and table from its own menu, or all of them as XLSX."
+        raise JounceError("a CSV file holds one figure or table", found=len(data), hint=hint)
+    (block,) = data
+    text = table_csv(table_of(block)) if isinstance(block, SentTable) else _columns_csv(block)
+    return b"\xef\xbb\xbf" + text.encode()  # by these bytes a spreadsheet knows the encoding
+
+
+def _columns_csv(chart: SentChart) -> str:
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(_headers(chart))
+    writer.writerows(zip(*([_written(value) for value in column] for column in _columns(chart)), strict=True))
+    return stream.getvalue()
+
+
+def _written(value: float) -> str:
+    return "" if np.isnan(value) else f"{value:.10g}"
+
+
+def _headers(chart: SentChart) -> list[str]:
+    """Head the columns with the axis, then with each curve and its unit."""
+    names = [chart.x_label]
+    for panel in chart.panels:
+        for curve in panel.curves:
+            name = f"{panel.title}, {curve.label}" if curve.label else panel.title
+            names.append(f"{name} [{panel.unit or '–'}]")
+    return names
+
+
+def _columns(chart: SentChart) -> list[list[float]]:
+    """Give the axis and all curves within the part that is shown."""
+    columns = [chart.x, *(curve.y for panel in chart.panels for curve in panel.curves)]
+    low, high = chart.window or (-np.inf, np.inf)
+    shown = (chart.x >= low) & (chart.x <= high)
+    return [column[shown].tolist() for column in columns]
+
+
+def _xlsx(asked: Exported) -> bytes:
+    page = page_of(asked, as_table=lambda chart: [numbers_of(chart)])
+    if not any(isinstance(block, PageTable) for block in page.blocks()):
+        raise JounceError("nothing here is a table or a curve", where=asked.title)
+    return tables_xlsx(page)
+
+
+def numbers_of(chart: SentChart) -> PageTable:
+    """Give the numbers of a figure as a table, as many digits as a workbook shows."""
+    columns = [[_written(value).replace("-", "−") for value in column] for column in _columns(chart)]
+    rows = tuple(tuple(row) for row in zip(*columns, strict=True))
+    return PageTable(chart.caption, tuple(_headers(chart)), rows, "r" * len(columns))
+
+
+def table_of(table: SentTable) -> PageTable:
+    """Give a table as that of a report."""
+    align = "".join("r" if k in table.numbers else "l" for k in range(len(table.header)))
+    return PageTable(table.caption, tuple(table.header), tuple(tuple(row) for row in table.rows), align)
+
+
+def chart_of(chart: SentChart, name: str) -> Chart:
+    """Give a figure as that of a report; panels below each other have one axis, below the last."""
+    width, height = _WIDE if chart.columns == 1 else _NARROW
+    panels = []
+    for k, panel in enumerate(chart.panels):
+        is_foot = chart.columns > 1 or k == len(chart.panels) - 1
+        curves = tuple(
+            Series(
+                chart.x,
+                curve.y,
+                curve.role,
+                _STYLES.get(curve.role, "line"),
+                curve.label,
+            )
+            for curve in panel.curves
+        )
+        panels.append(
+            Panel(
+                curves,
+                chart.x_label if is_foot else "",
+                f"[{panel.unit or '–'}]",
+                panel.title,
+                x_range=chart.window,
+                width=width,
+                height=height,
+            )
+        )
+    return Chart(tuple(panels), name, chart.caption, chart.caption, chart.columns)
+
+
+_STYLES: dict[str, Style] = {"before": "dashed"}
+
+
+def page_of(asked: Exported, as_table: Callable[[SentChart], Iterable[Block]] | None = None) -> Page:
+    """Give all blocks as a page of a report, a section for each heading; ``as_table`` makes tables of figures."""
+    sections: list[Section] = []
+    title, blocks = "", list[Block]()
+
+    def close() -> None:
+        if blocks:
+            sections.append(Section(title or asked.title, tuple(blocks)))
+
+    for number, block in enumerate(asked.blocks, 1):
+        if isinstance(block, SentText):
+            if block.kind == "text":
+                blocks.append(Paragraph(block.text))
+                continue
+            close()
+            title, blocks = block.text, []
+        elif isinstance(block, SentTable):
+            blocks.append(table_of(block))
+        elif as_table is not None:
+            blocks += as_table(block)
+        else:
+            blocks.append(chart_of(block, f"figure-{number}"))
+    close()
+    return Page(_plain(asked.title), tuple(sections), asked.subtitle)
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"\s+", " ", text).strip()
+
+
+_WRITERS: dict[Form, Callable[[Exported], bytes]] = {
+    "svg": _svg,
+    "png": _png,
+    "pdf": _document,
+    "html": _document,
+    "csv": _csv,
+    "xlsx": _xlsx,
+}
