@@ -68,7 +68,7 @@ const named = (name: string, form: string): string =>
 
 /** A menu; its entries close it and report what went wrong beside it. */
 function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLElement {
-  const said = make("span", { role: "status", class: "said" });
+  const said = make("span", { "aria-live": "polite", class: "said" });
   const list = make("div", { class: "entries", role: "group", "aria-label": label });
   const whole = make(
     "details",
