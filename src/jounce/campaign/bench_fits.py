@@ -356,7 +356,7 @@ def _inertia(
     ((other, wrong),) = given.items()
     if own is None or wrong is not None:
         raise DescriptionError(
-            Phrase("the {inertia_word} of what swings is needed", inertia_word=motion.inertia_word)
+            Phrase("the {inertia_word} of what swings is needed", inertia_word=Phrase(motion.inertia_word))
             if own is None
             else Phrase("no {other} swings here", other=other),
             where=motion.inertia_word if own is None else other,

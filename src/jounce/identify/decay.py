@@ -1003,32 +1003,33 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
     (other,) = given
     if given[other] is not None:
         raise FitError(
-            Phrase(
-                "{an} {inertia_word} swings in a record of this quantity",
-                an=_AN[motion.inertia_word],
-                inertia_word=motion.inertia_word,
-            ),
+            _SWINGS[motion.inertia_word],
             where=name,
             found=f"{other} = {given[other]}, quantity {quantity}",
             allowed=Phrase(
-                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=unit_in_words(motion.inertia)
+                "{inertia_word} in {inertia}",
+                inertia_word=Phrase(motion.inertia_word),
+                inertia=unit_in_words(motion.inertia),
             ),
         )
     if stated is None:
         raise FitError(
             Phrase(
-                "no {inertia_word} of what swings: a decay knows only ratios to it", inertia_word=motion.inertia_word
+                "no {inertia_word} of what swings: a decay knows only ratios to it",
+                inertia_word=Phrase(motion.inertia_word),
             ),
             where=name,
             found=f"quantity {quantity}",
             allowed=Phrase(
-                "{inertia_word} in {inertia}", inertia_word=motion.inertia_word, inertia=unit_in_words(motion.inertia)
+                "{inertia_word} in {inertia}",
+                inertia_word=Phrase(motion.inertia_word),
+                inertia=unit_in_words(motion.inertia),
             ),
         )
     value = as_number(stated, motion.inertia, where=f"{name}: {motion.inertia_word}")
     if not (math.isfinite(value) and value > 0.0):
         raise FitError(
-            Phrase("the {inertia_word} is not positive", inertia_word=motion.inertia_word),
+            Phrase("the {inertia_word} is not positive", inertia_word=Phrase(motion.inertia_word)),
             where=name,
             found=value,
             allowed="above 0",
@@ -1036,7 +1037,10 @@ def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, 
     return value
 
 
-_AN = {"mass": "a", "inertia": "an"}
+_SWINGS = {
+    "mass": "a mass swings in a record of this quantity",
+    "inertia": "an inertia swings in a record of this quantity",
+}
 
 
 def _check_record(

@@ -68,8 +68,8 @@ class ForceDeflectionTrial(Shown):
             raise FitError(
                 Phrase(
                     "{deflection_word} and {force_word} are not two columns of the same length",
-                    deflection_word=motion.deflection_word,
-                    force_word=motion.force_word,
+                    deflection_word=Phrase(motion.deflection_word),
+                    force_word=Phrase(motion.force_word),
                 ),
                 where=self.name,
                 found=f"shapes {deflection.shape} and {force.shape}",
@@ -87,10 +87,12 @@ class ForceDeflectionTrial(Shown):
             raise FitError("too few points", where=self.name, found=len(deflection), allowed="at least 3")
         if np.ptp(deflection) == 0.0:
             raise FitError(
-                Phrase("the {deflection_word} never changes", deflection_word=motion.deflection_word),
+                Phrase("the {deflection_word} never changes", deflection_word=Phrase(motion.deflection_word)),
                 where=self.name,
                 found=f"{deflection[0]:g} {motion.deflection} throughout",
-                hint=Phrase("Is the column the imposed {deflection_word}?", deflection_word=motion.deflection_word),
+                hint=Phrase(
+                    "Is the column the imposed {deflection_word}?", deflection_word=Phrase(motion.deflection_word)
+                ),
             )
         return deflection, force
 

@@ -416,7 +416,7 @@ def fit_stiffness(
         operating_force = as_number(operating_force, motion.force, where="operating_force")
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
         raise FitError(
-            Phrase("not a static {force_word}", force_word=motion.force_word),
+            Phrase("not a static {force_word}", force_word=Phrase(motion.force_word)),
             where="operating_force",
             found=f"{operating_force} {unit_in_words(motion.force)}",
             allowed="above 0",
@@ -514,7 +514,7 @@ def _check(
         raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
         raise FitError(
-            Phrase("discard_below is no {deflection_word}", deflection_word=motion.deflection_word),
+            Phrase("discard_below is no {deflection_word}", deflection_word=Phrase(motion.deflection_word)),
             found=f"{discard_below} {motion.deflection}",
             allowed=Phrase("0 {deflection} or more", deflection=motion.deflection),
         )
