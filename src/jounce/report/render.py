@@ -235,7 +235,7 @@ def chart_html(chart: Chart) -> str:
 
 
 def png_of(svg: str, scale: float = 2.0) -> bytes:
-    """Draw an SVG file as PNG, twice as large or by another scale, with the fonts of matplotlib: the same everywhere."""
+    """Draw an SVG file as PNG, enlarged by a scale, with the fonts of matplotlib: the same everywhere."""
     source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
     files = {"main.typ": source.encode(), "figure.svg": plain_colours(svg).encode()}
     (made,) = compiled(files, "png", ppi=96.0 * scale)
