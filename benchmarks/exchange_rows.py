@@ -159,7 +159,7 @@ def _rates(own: ctypes.CDLL, told: dict[str, Any], name: str) -> list[Callable[[
     # What depends on parameters alone is taken out of both, in an order of its own.
     extended = np.zeros(100_000)
     library.jn_derived(_at(np.ascontiguousarray(p, dtype=float)), _at(extended))
-    known = [np.ascontiguousarray(part, dtype=float) for part in (u, compiled.plain.extended(p), rest.modes)]
+    known = [np.ascontiguousarray(part, dtype=float) for part in (u, compiled.plain.extend(p), rest.modes)]
     ours, theirs = ctypes.c_void_p(compiled.plain.native.address["rate"]), ctypes.cast(library.jn_rate, ctypes.c_void_p)
     addresses = [_function(library, word) for word in ("SetContinuousStates", "GetContinuousStateDerivatives")]
 

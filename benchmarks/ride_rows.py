@@ -13,7 +13,7 @@ from timing import Row, median_time
 import jounce as jn
 from jounce.design.cases import cases_problem
 from jounce.ride.study import iso_trial
-from jounce.ride.weighting import weighted, weighting_response
+from jounce.ride.weighting import weight, weighting_response
 from jounce.roads.rough import Iso8608
 from jounce.roughness.iri import iri, state_transition
 
@@ -114,10 +114,10 @@ def _weighting_rows() -> list[Row]:
     values = np.random.default_rng(2).normal(size=3_600_000)
     filters = _bilinear_wk(rate)
     problem = "ISO 2631 weighting Wk, one hour at 1 kHz"
-    own = median_time(lambda: weighted(values, rate, "Wk"), repeats=5)
+    own = median_time(lambda: weight(values, rate, "Wk"), repeats=5)
     other = median_time(lambda: signal.sosfilt(filters, values), repeats=5)
     errors = [
-        _response_error(run, rate) for run in (lambda v: weighted(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))
+        _response_error(run, rate) for run in (lambda v: weight(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))
     ]
     return [
         Row(problem, "jounce.ride.weighting", own, errors[0], 1.0, "≤ 1 s", "error of the response, 0.63 to 63 Hz"),

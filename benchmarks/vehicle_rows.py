@@ -263,7 +263,7 @@ def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
     """SciPy on our compiled right-hand side; without location of lift-off and steps on the obstacles' edges."""
     from scipy.integrate import solve_ivp
 
-    compiled, p, n = problem.compiled, problem.compiled.extended(problem.p), len(problem.compiled.facts.coordinates)
+    compiled, p, n = problem.compiled, problem.compiled.extend(problem.p), len(problem.compiled.facts.coordinates)
     modes, start = np.ones(len(compiled.facts.switches)), problem.matrices()[2]
 
     def rate(t: float, x: Array) -> Array:

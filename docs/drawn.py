@@ -27,11 +27,11 @@ def write(name: str, make: Callable[[], Any], made_from: str) -> None:
     """Write ``name-light.svg`` and ``name-dark.svg`` unless both exist and are up to date."""
     if is_made(name, made_from):
         return
-    from jounce.plots import rendered
+    from jounce.plots import render_figure
 
     light, dark, stamp = _files(name)
     FOLDER.mkdir(parents=True, exist_ok=True)
-    text = rendered(make(), [".svg"])[".svg"].decode()
+    text = render_figure(make(), [".svg"])[".svg"].decode()
     light.write_text(text, encoding="utf-8")
     dark.write_text(in_the_dark(text), encoding="utf-8")
     stamp.write_text(_mark(made_from), encoding="utf-8")

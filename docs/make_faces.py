@@ -28,7 +28,7 @@ import jounce
 from jounce.campaign.description import Campaign
 from jounce.campaign.truth import BenchTruth
 from jounce.cli.entry import application
-from jounce.cli.everywhere import completed
+from jounce.cli.everywhere import with_shared_options
 from jounce.control import CONTROLS
 from jounce.control.controller import FILE_CONTROLS
 from jounce.core.display import display_unit
@@ -49,7 +49,7 @@ from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity
 from jounce.mechanics.joints import Joint
-from jounce.operations.describe import described
+from jounce.operations.describe import describe_operations
 from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
@@ -296,7 +296,7 @@ INDEX = SOURCE / "operations" / "index.json"
 
 def operations_index() -> str:
     """Operations as their functions describe them, for faces that import none of these."""
-    return json.dumps(described(), indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(describe_operations(), indent=1, ensure_ascii=False) + "\n"
 
 
 PAGE_QUANTITIES = DOCS.parent / "viewer" / "src" / "workbench" / "quantities.json"
@@ -517,7 +517,7 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def commands() -> dict[str, str]:
     """Reference of every command by its full name, e.g. ``jounce fit decay``: its help, arguments and options."""
     found: dict[str, str] = {}
-    pending: list[tuple[str, Any]] = [("jounce", completed(typer.main.get_command(application())))]
+    pending: list[tuple[str, Any]] = [("jounce", with_shared_options(typer.main.get_command(application())))]
     while pending:
         name, command = pending.pop()
         inner = getattr(command, "commands", {})

@@ -17,6 +17,7 @@ from typing import Any
 import lazy_loader
 
 _loaded, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_OLD_NAMES = {"adjusted": "apply_adjustments"}
 
 
 def __getattr__(name: str) -> object:
@@ -26,6 +27,10 @@ def __getattr__(name: str) -> object:
         return metadata.version("jounce")
     if name.startswith("__"):  # what tools ask every object for is no name misspelt
         raise AttributeError(f"module 'jounce' has no attribute {name!r}.")
+    if name in _OLD_NAMES:
+        from jounce.core.old_names import with_old_names
+
+        return with_old_names(__name__, _OLD_NAMES)(name)
     if name not in __all__:
         from jounce.core.synonyms import suggestion
 

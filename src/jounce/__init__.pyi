@@ -147,7 +147,7 @@ from .kinematics import sweep_steering as sweep_steering
 from .kinematics import sweep_travel as sweep_travel
 from .kinematics import sweep_variants as sweep_variants
 from .kinematics import write_sweep as write_sweep
-from .kinematics.adjustments import adjusted as adjusted
+from .kinematics.adjustments import apply_adjustments as apply_adjustments
 from .kinematics.axle_loads import load_axle as load_axle
 from .kinematics.clearance_study import study_clearances as study_clearances
 from .kinematics.steering_loads import sweep_steering_effort as sweep_steering_effort

@@ -356,13 +356,13 @@ def test_channels_over_time_are_those_of_simulate(least, monkeypatch):
 
 
 def test_weighted_metrics_are_those_of_the_ride_metrics():
-    from jounce.ride.weighting import weighted
+    from jounce.ride.weighting import weight
 
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="3 s")
     found = jn.simulate_many(rig, trial, {"sprung.mass": [460.0]}, metrics="Wk sprung.az")
     run = jn.simulate(rig, trial)["sprung.az"].values
     assert float(found["Wk sprung.az"][0]) == pytest.approx(
-        float(np.sqrt(np.mean(weighted(run, 1000.0, "Wk") ** 2))), rel=1e-9
+        float(np.sqrt(np.mean(weight(run, 1000.0, "Wk") ** 2))), rel=1e-9
     )
 
 

@@ -220,7 +220,7 @@ def exact_and_polynomial(reduction, which, degree, travel):
     table = reduction.table(values, which, -0.03, 0.03, degree)
     names = reduction.places(DEGREES[0]).names[which]
     sampling, p = reduction.axles[end], reduction.numbers(values, which)[None, :]
-    sampled = dict(zip(sampling.names, sampling.sampled(p, 0.0, travel)[:, 0], strict=True))
+    sampled = dict(zip(sampling.names, sampling.sample(p, 0.0, travel)[:, 0], strict=True))
     rows = table.numbers[3:].reshape(len(names), degree + 1)
     x = travel / table.numbers[1]
     return {name: (sampled[name], np.polyval(row[::-1], x)) for name, row in zip(names, rows, strict=True)}, table

@@ -75,7 +75,7 @@ def test_variances_and_slopes_of_three_rigs(case, way, monkeypatch) -> None:
             gains = np.ones((len(rows), len(frequency)))
             gains[0] = 1.0 if gain is None else gain(frequency) ** 2
             n = frequency / road.speed
-            shared = road.shared(n, float(table["track"])) if len(noises) == 2 else None
+            shared = road.root_coherence(n, float(table["track"])) if len(noises) == 2 else None
             return band_variance(table, noises, frequency, weights * road.heights(n) / road.speed, gains, shared)
 
         table = _table(model.of_rows(rows), width, road.speed)

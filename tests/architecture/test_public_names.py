@@ -11,6 +11,7 @@ import pytest
 
 import jounce
 from jounce.core.findings import Finding
+from jounce.design.best_design import BestDesign
 from jounce.identify.discrepancy import NuisanceEstimate
 from jounce.recordings.sensors import Sensor
 from rules import ROOT, modules, packages_below
@@ -74,6 +75,10 @@ def test_everything_below_the_plots_needs_no_faces() -> None:
         ("report", "Table", "PageTable"),
         ("notebook", "Cell", "EmbeddedPage"),
         ("control.controller", "DamperLaw", "TwoStateLaw"),
+        ("mechanics", "combined", "combine_solids"),
+        ("plots", "integrated", "integrated_motion"),
+        ("plots", "rendered", "render_figure"),
+        ("plots", "styled", "in_style"),
     ],
 )
 def test_old_names_work_and_say_the_new_one(package: str, old: str, new: str) -> None:
@@ -92,3 +97,18 @@ def test_old_methods_work_and_say_the_new_one() -> None:
         assert Sensor(gain=2.0).changed(gain=3.0) == Sensor(gain=3.0)
     with pytest.warns(DeprecationWarning, match="NuisanceEstimate.moved is called deviations now"):
         assert NuisanceEstimate("speed", "1", 1.0, 0.5, 2.0, 0.1).moved == 2.0
+
+
+def test_an_old_name_of_the_package_works_and_says_the_new_one() -> None:
+    with pytest.warns(DeprecationWarning, match="jounce.adjusted is called apply_adjustments now"):
+        value = jounce.adjusted
+    assert value is jounce.apply_adjustments
+
+
+def test_old_names_of_methods_work_and_say_the_new_one() -> None:
+    control = jounce.controller("skyhook")
+    with pytest.warns(DeprecationWarning, match="Controller.paced is called with_rate_for now"):
+        assert control.paced(10.0) == control.with_rate_for(10.0)
+    study = BestDesign(None)  # type: ignore[arg-type]
+    with pytest.warns(DeprecationWarning, match="BestDesign.found is called outcome now"):
+        assert study.found is study.outcome

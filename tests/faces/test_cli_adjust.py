@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.kinematics.adjustments import SETTINGS, adjusted
+from jounce.kinematics.adjustments import SETTINGS, apply_adjustments
 
 RIG = "kart-double-wishbone"
 
@@ -43,7 +43,7 @@ def test_settings_are_made_and_written(cli, tmp_path: Path) -> None:
     outcome = cli("adjust", RIG, "--set", "upper_arm_length=10 mm", "--set", "strut_angle=16 deg", "--out", "new.toml")
     assert outcome.exit_code == 0
     assert "upper_arm_length 10 mm, strut_angle 16 deg" in " ".join(outcome.out.split())
-    wanted = adjusted(jn.load(RIG), {"upper_arm_length": "10 mm", "strut_angle": "16 deg"})
+    wanted = apply_adjustments(jn.load(RIG), {"upper_arm_length": "10 mm", "strut_angle": "16 deg"})
     assert jn.load(tmp_path / "new.toml") == wanted
     text = (tmp_path / "new.toml").read_text(encoding="utf-8")
     assert "# Kart-scale double-wishbone prototype." in text

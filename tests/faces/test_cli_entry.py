@@ -159,7 +159,7 @@ def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeyp
     def interrupt(*words: object, **options: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("jounce.simulation.trial_run.solved", interrupt)
+    monkeypatch.setattr("jounce.simulation.trial_run.solve", interrupt)
     outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
     assert outcome.exit_code == 130
     assert "no file is left half-written" in outcome.err
@@ -215,7 +215,7 @@ def test_file_that_cannot_be_written_is_explained(cli, tmp_path: Path, monkeypat
     def full(*words: object, **options: object) -> None:
         raise OSError(28, "No space left on device", "run.nc")
 
-    monkeypatch.setattr("jounce.roads.options.chosen_trial", full)
+    monkeypatch.setattr("jounce.roads.options.trial_of_options", full)
     outcome = cli("simulate", "kart-quarter-car")
     assert outcome.exit_code == 2
     assert "run.nc: No space left on device" in outcome.err

@@ -149,7 +149,7 @@ def test_texts_that_are_none_are_stored_all_the_same(opened, database) -> None:
     store.accept(RecordEntry("a\udcff\0.csv", b"1", plate="B\0-1"), PASS)
     store.note_watched("/lane/a\udcff.csv", 1, 2, "no\0record")
     assert [found.name for found in store.records(plate="B1")] == ["a\ufffd\ufffd.csv"]
-    assert store.watched() == {"/lane/a\ufffd.csv": (1, 2)}
+    assert store.watched_files() == {"/lane/a\ufffd.csv": (1, 2)}
     assert store.problems() == []
 
 
@@ -165,7 +165,7 @@ def test_many_writers_at_once_lose_nothing_and_make_the_tables_once(opened, data
     store = opened(database)
     assert len(store.numbers()) == 8 + 8 + 4 - 4
     assert [len(store.gradings(number)) for number in store.numbers()] == [1] * 16
-    assert len(store.watched()) == 8
+    assert len(store.watched_files()) == 8
     assert store.problems() == []
 
 

@@ -216,7 +216,7 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
     assert len(found["notes"]) == 2
     runs, _ = alike(names["runs"])
     one, two, three = runs.values()
-    assert (one["body.az"] == names["rides"]["kart-quarter-car, passive"].settled["sprung.az"]).all()
+    assert (one["body.az"] == names["rides"]["kart-quarter-car, passive"].evaluated_run["sprung.az"]).all()
     assert float(abs(two["body.az"] - one["body.az"]).max()) > 0.1
     assert "front.sprung.az" in three
     for words in map(shlex.split, doing.command.splitlines()):
@@ -748,7 +748,7 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
 
 def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
     import jounce as jn
-    from jounce.web.campaigns import entered, overview
+    from jounce.web.campaigns import enter_file, overview
 
     project = Project(tmp_path)
     jn.new_campaign(tmp_path / "mine")
@@ -762,10 +762,12 @@ def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
     new = tmp_path / "mine" / "bench" / "soft.csv"
     new.write_text("s [mm],F [N]\n0,0\n10,200\n")
     fields = {"files": ["mine/bench/soft.csv"], "columns": {"displacement": "s", "force": "F"}, "discard_below": "1 mm"}
-    entered(project, path, "tyre", {**fields, "pressure": "0.2 MPa", "stroke_positive": ""})
-    entered(project, path, "spring", {"files": ["mine/bench/soft.csv"]})
-    entered(project, path, "decay", {"files": ["mine/bench/decay_1.csv"], "replace": True, "columns": {"time": "time"}})
-    entered(project, path, "trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "use": "fit"})
+    enter_file(project, path, "tyre", {**fields, "pressure": "0.2 MPa", "stroke_positive": ""})
+    enter_file(project, path, "spring", {"files": ["mine/bench/soft.csv"]})
+    enter_file(
+        project, path, "decay", {"files": ["mine/bench/decay_1.csv"], "replace": True, "columns": {"time": "time"}}
+    )
+    enter_file(project, path, "trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "use": "fit"})
     campaign, text = jn.campaign.load_campaign(tmp_path / path)
     assert campaign.bench.tyre["0.2 MPa"].columns == {"displacement": "s", "force": "F"}
     assert campaign.bench.tyre["0.2 MPa"].discard_below == pytest.approx(1e-3)
@@ -783,7 +785,7 @@ def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
         ("trial", {"recording": "../secret.csv", "road": "A", "speed": "2 m/s"}),
     ):
         with pytest.raises(DescriptionError):
-            entered(project, path, use, wrong)
+            enter_file(project, path, use, wrong)
     assert (tmp_path / path).read_text() == text
 
 

@@ -186,9 +186,9 @@ def test_code_that_cannot_be_loaded_is_made_another_way(
     def broken(*_: object) -> bytes:
         raise RuntimeError("no such processor")
 
-    monkeypatch.setattr(call, "_shipped", lambda *_: b"of another version")
+    monkeypatch.setattr(call, "_read_shipped", lambda *_: b"of another version")
     monkeypatch.setattr(call, "recall", broken)
-    monkeypatch.setattr(call, "_compiled", broken)
+    monkeypatch.setattr(call, "_compile", broken)
     monkeypatch.setattr(call, "_by_numba", lambda _name: lambda _: 7)
     assert call._load("drag", this_platform())[1](()) == 7
     (said,) = caplog.messages

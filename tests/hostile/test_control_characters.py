@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.core.workbooks import CONTROL
-from jounce.plots.figures import rendered
+from jounce.plots.figures import render_figure
 from jounce.report.page import Page, PageTable, Section
 from jounce.report.render import write_page
 
@@ -27,7 +27,7 @@ def test_pictures(sign: str) -> None:
     axes.plot([0.0, 1.0], label=f"run {sign}")
     axes.legend()
     axes.set(title=f"a{sign}b", xlabel=sign)
-    made = rendered(figure, (".svg", ".png", ".pdf"))
+    made = render_figure(figure, (".svg", ".png", ".pdf"))
     assert "a b" in "".join(ET.fromstring(made[".svg"]).itertext())
     assert all(made.values())
 

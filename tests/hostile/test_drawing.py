@@ -150,7 +150,7 @@ def test_commands_tell_what_they_computed_where_the_figure_fails(
         raise ValueError("no glyph")
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(figures, "rendered", fails)
+    monkeypatch.setattr(figures, "render_figure", fails)
     assert main([*command, "--figure", "out.png", "--json"]) == 1
     plain = said()
     assert plain["figure"] is None
@@ -181,7 +181,7 @@ def test_a_protocol_that_fails_leaves_its_values(tmp_path: Path, monkeypatch: py
 def test_long_names_leave_room_and_an_underscore_hides_nothing() -> None:
     velocity = [-1.0, 0.0, 1.0]
     figure = damper_loops([], velocity, velocity, {NAMES["underscore"]: velocity}, title=NAMES["length"] * 3)
-    svg = figures.rendered(figure, [".svg"])[".svg"].decode()
+    svg = figures.render_figure(figure, [".svg"])[".svg"].decode()
     assert NAMES["underscore"] in svg
     assert NAMES["length"][:100] in svg
     assert "…" in svg

@@ -54,9 +54,9 @@ def test_other_text_stays(text: str) -> None:
 
 @pytest.mark.parametrize("name", ["$x^$", "cost $1", "${\\frac", "a_b^c_", "%s {0}"])
 def test_names_are_no_markup_in_pictures(name: str) -> None:
-    from jounce.plots.figures import new_figure, rendered, styled
+    from jounce.plots.figures import in_style, new_figure, render_figure
 
-    @styled
+    @in_style
     def draw():
         figure = new_figure(2.0)
         axes = figure.subplots()
@@ -65,5 +65,5 @@ def test_names_are_no_markup_in_pictures(name: str) -> None:
         axes.legend()
         return figure
 
-    svg = rendered(draw(), [".svg"])[".svg"].decode()
+    svg = render_figure(draw(), [".svg"])[".svg"].decode()
     assert svg.count(f">{name}</text>") == 2

@@ -163,7 +163,7 @@ def test_a_corner_under_a_body_that_is_held_is_the_single_corner(corner):
     p, q = single.parameter_values(rig.parameters()), whole.parameter_values(heavy.parameters())
     modes = np.ones(len(single.facts.switches))
     for _ in range(5):
-        x = single.projected(x, single.inputs(0.0), p, modes)
+        x = single.project(x, single.inputs(0.0), p, modes)
     states[places] = x
     wanted = single.evaluate("rate", x, single.inputs(0.0), p, modes)
     found = whole.evaluate("rate", states, whole.inputs(0.0), q, np.ones(len(whole.facts.switches)))

@@ -31,7 +31,7 @@ def run(model, values, x0, times, *, track=None, tolerance=LOOSE, longest=np.inf
     compiled = compile_model(model)
     tracks = flatten([track or flat(times[-1])])
     piece = tracks.first[:-1].copy() if model.tracks else tracks.first[:0].copy()
-    p, start = compiled.extended(np.array(values, dtype=float)), np.array(x0, dtype=float)
+    p, start = compiled.extend(np.array(values, dtype=float)), np.array(x0, dtype=float)
     problem = Problem(compiled.engine, tracks, piece, p, np.zeros(0), start, len(model.tracks) * model.track_order)
     control = Control(tolerance, np.full(len(x0), scale), np.zeros(0), 1_000_000, longest)
     out, counts = room(compiled, times), np.zeros(3, dtype=np.int64)

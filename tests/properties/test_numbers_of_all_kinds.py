@@ -20,7 +20,7 @@ from jounce.core.units import _registry, conversion_factor
 from jounce.recordings import Sensor, cfc_filter, derivative, filter_signals, resample, shift_signals
 from jounce.ride.comfort import running_rms, vdv
 from jounce.ride.surface import surface
-from jounce.ride.weighting import weighted
+from jounce.ride.weighting import weight
 from jounce.simulation.settings import RunSettings
 
 pd = pytest.importorskip("pandas")
@@ -55,7 +55,7 @@ CALLS: dict[str, tuple[Callable[[Any], Any], float, str]] = {
     "power_spectrum, rate": (lambda v: vars(jn.power_spectrum(SWING, v)), 250.0, "Hz"),
     "power_spectrum, segment": (lambda v: vars(jn.power_spectrum(SWING, 250.0, segment=v)), 0.5, "s"),
     "transfer_function, rate": (lambda v: vars(jn.transfer_function(SWING, T, v)), 250.0, "Hz"),
-    "weighted": (lambda v: weighted(SWING, v, "Wk"), 250.0, "Hz"),
+    "weighted": (lambda v: weight(SWING, v, "Wk"), 250.0, "Hz"),
     "running_rms": (lambda v: running_rms(SWING, v), 250.0, "Hz"),
     "vdv": (lambda v: vdv(SWING, v), 250.0, "Hz"),
     "cfc_filter": (lambda v: cfc_filter(SWING, v, 60.0), 4000.0, "Hz"),

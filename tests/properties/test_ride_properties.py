@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from jounce.ride import comfort
 from jounce.ride.spectra import power_spectrum
-from jounce.ride.weighting import WEIGHTINGS, weighted
+from jounce.ride.weighting import WEIGHTINGS, weight
 from jounce.roughness.iri import iri
 
 seeds = st.integers(0, 2**32 - 1)
@@ -26,8 +26,8 @@ def test_parseval(seed: int, count: int, rate: float) -> None:
 @given(seed=seeds, name=st.sampled_from(sorted(WEIGHTINGS)), factor=st.floats(-5.0, 5.0), rate=st.floats(100.0, 2000.0))
 def test_weighting_is_linear(seed: int, name: str, factor: float, rate: float) -> None:
     a, b = np.random.default_rng(seed).normal(size=(2, 500))
-    both = weighted(a + factor * b, rate, name)
-    np.testing.assert_allclose(both, weighted(a, rate, name) + factor * weighted(b, rate, name), atol=1e-9)
+    both = weight(a + factor * b, rate, name)
+    np.testing.assert_allclose(both, weight(a, rate, name) + factor * weight(b, rate, name), atol=1e-9)
 
 
 @given(seed=seeds, shift=st.integers(1, 400))
@@ -36,7 +36,7 @@ def test_weighting_does_not_know_when_it_is(seed: int, shift: int) -> None:
         [np.zeros(200), np.random.default_rng(seed).normal(size=600) * np.hanning(600), np.zeros(200)]
     )
     later = np.concatenate([np.zeros(shift), signal])
-    np.testing.assert_allclose(weighted(later, 500.0, "Wk")[shift:], weighted(signal, 500.0, "Wk"), atol=1e-6)
+    np.testing.assert_allclose(weight(later, 500.0, "Wk")[shift:], weight(signal, 500.0, "Wk"), atol=1e-6)
 
 
 @given(seed=seeds, factor=st.floats(1e-3, 1e3))

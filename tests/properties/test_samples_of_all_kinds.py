@@ -32,7 +32,7 @@ from jounce.recordings import (
     shift_with_derivative,
 )
 from jounce.ride.comfort import advice, crest_factor, evdv, msdv, mtvv, rms, running_rms, vdv
-from jounce.ride.weighting import weighted, weighting_response
+from jounce.ride.weighting import weight, weighting_response
 from jounce.variants.many import _column
 
 pd = pytest.importorskip("pandas")
@@ -85,7 +85,7 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
         lambda **signals: vars(jn.transfer_function(**signals, sample_rate=RATE)),
         {"given": (SHAKEN, ""), "answer": (LATE, "")},
     ),
-    "weighted": (lambda values: weighted(values, RATE, "Wk"), {"values": (SHAKEN, "")}),
+    "weighted": (lambda values: weight(values, RATE, "Wk"), {"values": (SHAKEN, "")}),
     "weighting_response": (lambda frequency: weighting_response("Wk", frequency), {"frequency": (1.0 + X, "Hz")}),
     **{
         one.__name__: (lambda values, one=one: one(values, RATE), {"values": (SHAKEN, "")})

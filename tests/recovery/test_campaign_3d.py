@@ -19,7 +19,7 @@ from jounce.papers.virtual_bench import campaign_texts, shipped_truth, true_pass
 from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
-from jounce.report.campaign import lumped as lumped_section
+from jounce.report.campaign import lumped_model as lumped_section
 from jounce.report.page import PageTable
 
 KART = jn.load("kart-double-wishbone")

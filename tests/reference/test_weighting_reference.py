@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.ride.weighting import WEIGHTINGS, tolerance, weighted, weighting_response
+from jounce.ride.weighting import WEIGHTINGS, tolerance, weight, weighting_response
 
 pytestmark = pytest.mark.source(
     kind="published",
@@ -135,7 +135,7 @@ def test_sampled_signals_are_weighted_within_the_tolerances_of_the_standard(name
     count = 1 << int(np.ceil(np.log2(2.0 * row.memory * rate)))
     impulse = np.zeros(count)
     impulse[count // 4] = 1.0
-    spectrum = np.fft.rfft(weighted(impulse, rate, name)) * np.exp(2j * np.pi * np.arange(count // 2 + 1) / 4.0)
+    spectrum = np.fft.rfft(weight(impulse, rate, name)) * np.exp(2j * np.pi * np.arange(count // 2 + 1) / 4.0)
     frequency = np.fft.rfftfreq(count, 1.0 / rate)
     seen = (frequency >= row.limits[0]) & (frequency < 0.499 * rate)
     low, high = tolerance(name, frequency[seen])

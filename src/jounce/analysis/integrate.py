@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
-from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, chosen, constant_channels, measured
+from jounce.analysis.record import (
+    BEGIN,
+    CHANNELS,
+    END,
+    AnyRecord,
+    Measured,
+    constant_channels,
+    read_measured,
+    select_channels,
+)
 from jounce.core.errors import DescriptionError, RecordingError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Mark, Number, operation
@@ -77,9 +86,9 @@ class IntegratedChannel(Plain):
     corner: Annotated[float, Shows("corner", "Hz")]
     band: Annotated[tuple[float, float], Shows("amplitudes within 5 %", "Hz")]
     noise: float
-    velocity_error: Annotated[float, Shows("noise adds to velocity", lambda one: one.velocity_unit)]
-    displacement_error: Annotated[float, Shows("noise adds to displacement", lambda one: one.displacement_unit)]
-    removed: Annotated[float, Shows("removed", lambda one: one.displacement_unit)]
+    velocity_error: Annotated[float, Shows("noise adds to velocity", lambda channel: channel.velocity_unit)]
+    displacement_error: Annotated[float, Shows("noise adds to displacement", lambda channel: channel.displacement_unit)]
+    removed: Annotated[float, Shows("removed", lambda channel: channel.displacement_unit)]
     velocity: Array
     displacement: Array
 
@@ -131,10 +140,10 @@ class Integration(Plain):
     def recording(self) -> xr.Dataset:
         """Give accelerations, velocities and displacements as a recording."""
         signals = {}
-        for one in self.channels:
-            signals[one.channel] = (self.source.values(one.channel)[: len(self.time)], one.unit, "")
-            signals[one.velocity_channel] = (one.velocity, one.velocity_unit, "")
-            signals[one.displacement_channel] = (one.displacement, one.displacement_unit, "")
+        for channel in self.channels:
+            signals[channel.channel] = (self.source.values(channel.channel)[: len(self.time)], channel.unit, "")
+            signals[channel.velocity_channel] = (channel.velocity, channel.velocity_unit, "")
+            signals[channel.displacement_channel] = (channel.displacement, channel.displacement_unit, "")
         return recording_of(self.time, signals, {"valid_from": self.valid[0], "valid_to": self.valid[1]})
 
 
@@ -236,7 +245,7 @@ def integrate_acceleration(
     for name, given, of in (("above", above, "random"), ("period", period, "periodic")):
         if given is not None and motion != of:
             raise DescriptionError(Phrase("it belongs to {of} motion", of=of), where=name, found=f"motion {motion}")
-    used = measured(record, begin, end)
+    used = read_measured(record, begin, end)
     names = _accelerations(used, channels)
     moving, still = constant_channels(used, names)
     if not moving:
@@ -248,7 +257,7 @@ def integrate_acceleration(
         samples = _whole_periods(used, length)
     time = used.run["time"].to_numpy()[:samples]
 
-    def integrated(name: str) -> tuple[IntegratedChannel, list[Finding]]:
+    def integrate_channel(name: str) -> tuple[IntegratedChannel, list[Finding]]:
         values = used.values(name)[:samples]
         level = _level(values)
         spectrum = _density(used, level)
@@ -261,19 +270,19 @@ def integrate_acceleration(
         return _periodic(used, name, values, density, length or samples / used.rate), []
 
     with ThreadPoolExecutor(min(len(moving), processors())) as threads:  # nearly all of it is Fourier transforms
-        done = list(threads.map(integrated, moving))
+        done = list(threads.map(integrate_channel, moving))
     results = [result for result, _ in done]
     findings = [*used.findings, *still, *(word for _, words in done for word in words)]
-    margin = max(1.0 / one.corner for one in results) if motion == "random" else 0.0
+    margin = max(1.0 / channel.corner for channel in results) if motion == "random" else 0.0
     valid = float(time[0]) + margin, float(time[-1]) - margin
     return Integration(used.name, motion, time, valid, tuple(results), tuple(findings), used)
 
 
 def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list[str]:
-    names = chosen(used, channels)
-    found = [name for name in names if used.unit(name) in _UNITS]
-    wrong = [f"{name} in {used.unit(name)}" for name in names if name not in found]
-    if not found or (channels is not None and wrong):
+    names = select_channels(used, channels)
+    usable = [name for name in names if used.unit(name) in _UNITS]
+    wrong = [f"{name} in {used.unit(name)}" for name in names if name not in usable]
+    if not usable or (channels is not None and wrong):
         raise RecordingError(
             "only accelerations are integrated",
             where=used.name,
@@ -281,7 +290,7 @@ def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list
             allowed="channels in m/s^2 or rad/s^2",
             hint="Name the columns of the file, such as sprung.az.",
         )
-    return found
+    return usable
 
 
 def _density(used: Measured, level: Array) -> Spectrum:
@@ -474,9 +483,9 @@ def _periodic(used: Measured, name: str, values: Array, density: float, period: 
     lines[count::count] = transform[count::count]
     s = 2j * np.pi * frequency
     s[0] = 1.0
-    kept = frequency[count::count]
+    harmonics = frequency[count::count]
     share = density * used.rate / size
-    errors = tuple(float(np.sum(share / (2.0 * np.pi * kept) ** power)) ** 0.5 for power in (2, 4))
+    errors = tuple(float(np.sum(share / (2.0 * np.pi * harmonics) ** power)) ** 0.5 for power in (2, 4))
     return _channel(
         used,
         name,

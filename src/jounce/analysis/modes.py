@@ -34,11 +34,11 @@ from jounce.analysis.record import (
     band_of,
     band_text,
     check_channel,
-    chosen,
-    measured,
+    read_measured,
+    select_channels,
 )
 from jounce.analysis.spectrum import segment_samples
-from jounce.analysis.transfer import check_moving, sliding_model, whitened
+from jounce.analysis.transfer import check_moving, sliding_model, whiten
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, Switch, Texts, operation
@@ -244,10 +244,10 @@ def fit_modes(
         raise DescriptionError(
             "no number of modes", where="count", found=count, allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES)
         )
-    used = measured(record, begin, end)
+    used = read_measured(record, begin, end)
     if given is not None:
         check_channel(used, given)
-    names = [name for name in chosen(used, outputs) if outputs is not None or name != given]
+    names = [name for name in select_channels(used, outputs) if outputs is not None or name != given]
     if not names or given in names:
         raise RecordingError(
             "no output", where=used.name, found=", ".join(names), allowed="channels other than the input"
@@ -261,13 +261,13 @@ def fit_modes(
     lines, response, leave_out, groups, doubts = _lines(used, names, given, decay, samples, limits)
     table = stabilisation(lines, response)
     starts = stable_modes(table, lines.kind)
-    fit, lines = _fitted(lines, starts, count)
-    found = [] if fit is None else _modes(fit, lines, starts, leave_out, groups)
-    kept = [mode for mode in found if count is not None or _is_known(mode)]
-    kept.sort(key=lambda mode: mode.frequency.value)
-    doubts += _doubts(used.name, kept, count, limits)
+    fit, lines = _fit(lines, starts, count)
+    candidates = [] if fit is None else _modes(fit, lines, starts, leave_out, groups)
+    modes = [mode for mode in candidates if count is not None or _is_known(mode)]
+    modes.sort(key=lambda mode: mode.frequency.value)
+    doubts += _doubts(used.name, modes, count, limits)
     if rig is not None:
-        kept, words = _beside_model(kept, as_rig(rig), given, limits, used.name)
+        modes, words = _beside_model(modes, as_rig(rig), given, limits, used.name)
         doubts += words
     return FittedModes(
         used.name,
@@ -279,7 +279,7 @@ def fit_modes(
         used.rate,
         limits,
         length,
-        tuple(kept),
+        tuple(modes),
         table,
         lines.frequency,
         lines.values,
@@ -330,11 +330,11 @@ def _lines(
         values = np.stack([np.fft.rfft(used.values(name))[inside] * step for name in names], axis=1)
         weight = np.ones(values.shape) / np.abs(values).max(axis=0)
         return Lines("decay", f, values, weight, samples * step, step, is_hann=False), values, None, 0, []
-    signals, rate = _decimated(used, [*names, *([given] if given else [])], band[1])
+    signals, rate = _decimate(used, [*names, *([given] if given else [])], band[1])
     samples = round(samples * rate / used.rate)
     f, inside = _inside(samples, rate, band)
     if given is not None:
-        signals = whitened(signals, given, samples)
+        signals = whiten(signals, given, samples)
     outputs = [_segments(signals[name], rate, samples) for name in names]
     count = outputs[0].shape[1]
     groups = min(GROUPS, count)
@@ -355,7 +355,7 @@ def _lines(
     return (*made, groups, [])
 
 
-def _decimated(used: Measured, names: Sequence[str], highest: float) -> tuple[dict[str, Array], float]:
+def _decimate(used: Measured, names: Sequence[str], highest: float) -> tuple[dict[str, Array], float]:
     """Channels at a rate that suffices for the band, without phase, and that rate (Hz)."""
     from scipy import signal
 
@@ -363,7 +363,9 @@ def _decimated(used: Measured, names: Sequence[str], highest: float) -> tuple[di
     values = {name: used.values(name) for name in names}
     if factor == 1:
         return values, used.rate
-    return {name: signal.resample_poly(one - one.mean(), 1, factor) for name, one in values.items()}, used.rate / factor
+    return {
+        name: signal.resample_poly(record - record.mean(), 1, factor) for name, record in values.items()
+    }, used.rate / factor
 
 
 _OVERSAMPLED = 6.0  # samples in the shortest period: filters against aliasing begin at 2.5
@@ -383,14 +385,14 @@ def _transfer_lines(
     own = _by_group(np.abs(source) ** 2, group).real
     cross = [_by_group(np.conj(source) * output, group) for output in outputs]
     whole = own.sum(axis=1)
-    values = np.stack([one.sum(axis=1) / whole for one in cross], axis=1)
+    values = np.stack([spectrum.sum(axis=1) / whole for spectrum in cross], axis=1)
     others = np.stack([(np.abs(output) ** 2).sum(axis=1) for output in outputs], axis=1)
     noise = np.clip(others / whole[:, None] - np.abs(values) ** 2, 0.0, None)
-    noise = _smoothed(noise) + 1e-3 * np.abs(values) ** 2 + 1e-12 * (np.abs(values) ** 2).max(axis=0)
+    noise = _smooth(noise) + 1e-3 * np.abs(values) ** 2 + 1e-12 * (np.abs(values) ** 2).max(axis=0)
 
-    def leave_out(one: int) -> Complex:
-        rest = whole - own[:, one]
-        return np.stack([(part.sum(axis=1) - part[:, one]) / rest for part in cross], axis=1)
+    def leave_out(left_out: int) -> Complex:
+        rest = whole - own[:, left_out]
+        return np.stack([(part.sum(axis=1) - part[:, left_out]) / rest for part in cross], axis=1)
 
     return Lines("transfer", f, values, 1.0 / np.sqrt(noise), length, step), values, leave_out
 
@@ -399,15 +401,15 @@ def _spectrum_lines(
     f: Array, outputs: list[Complex], group: NDArray[np.int_], inside: NDArray[np.bool_], length: float, step: float
 ) -> tuple[Lines, Complex, _Leaving]:
     powers = [_by_group(np.abs(output) ** 2, group).real for output in outputs]
-    whole = np.stack([one.sum(axis=1) for one in powers], axis=1) / len(group)
+    whole = np.stack([spectrum.sum(axis=1) for spectrum in powers], axis=1) / len(group)
     sizes = np.bincount(group)
 
-    def leave_out(one: int) -> Complex:
-        rest = len(group) - sizes[one]
-        parts = [(power.sum(axis=1) - power[:, one])[inside] / rest for power in powers]
+    def leave_out(left_out: int) -> Complex:
+        rest = len(group) - sizes[left_out]
+        parts = [(power.sum(axis=1) - power[:, left_out])[inside] / rest for power in powers]
         return np.stack(parts, axis=1).astype(complex)
 
-    weight = 1.0 / (_smoothed(whole[inside]) + 1e-12 * whole[inside].max(axis=0))
+    weight = 1.0 / (_smooth(whole[inside]) + 1e-12 * whole[inside].max(axis=0))
     lines = Lines("spectrum", f, whole[inside].astype(complex), weight, length, step)
     response = np.stack([_causal(column)[inside] for column in whole.T], axis=1)
     return lines, response, leave_out
@@ -430,31 +432,31 @@ def _by_group(segments: NDArray[Any], group: NDArray[np.int_]) -> NDArray[Any]:
     return np.add.reduceat(segments, np.flatnonzero(np.diff(group, prepend=-1)), axis=1)
 
 
-def _smoothed(values: Array) -> Array:
+def _smooth(values: Array) -> Array:
     """Mean over nine neighbouring lines."""
     from scipy.ndimage import uniform_filter1d
 
     return np.asarray(uniform_filter1d(values, 9, axis=0, mode="nearest"))
 
 
-def _fitted(lines: Lines, starts: list[tuple[float, float, int]], count: int | None) -> tuple[PoleFit | None, Lines]:
+def _fit(lines: Lines, starts: list[tuple[float, float, int]], count: int | None) -> tuple[PoleFit | None, Lines]:
     """Fit the poles that the data ask for, or as many as are asked for; give them with the weights that were used."""
     if not starts:
         return None, lines
-    lines, fit = _refined(lines, parameters_of([start[:2] for start in starts]))
+    lines, fit = _refine(lines, parameters_of([start[:2] for start in starts]))
     while fit.parameters.size > 2:
         pairs = fit.parameters.size // 2
         if count is not None and pairs <= count:
             break
         tries = [fit_poles(lines, np.delete(fit.parameters, [2 * k, 2 * k + 1])) for k in range(pairs)]
-        best = min(tries, key=lambda one: one.cost)
+        best = min(tries, key=lambda attempt: attempt.cost)
         if count is None and _criterion(fit, lines) < _criterion(best, lines):
             break
-        lines, fit = _refined(lines, best.parameters)
+        lines, fit = _refine(lines, best.parameters)
     return fit, lines
 
 
-def _refined(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
+def _refine(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
     """Fit, with weights that follow from the fit where lines scatter with their own level, or all alike."""
     fit = fit_poles(lines, start)
     if lines.kind == "transfer":
@@ -462,7 +464,7 @@ def _refined(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
     for _ in range(2):
         if lines.kind == "spectrum":
             model = fit.model.real
-            weight = 1.0 / np.maximum(model, 0.05 * _smoothed(lines.values.real))
+            weight = 1.0 / np.maximum(model, 0.05 * _smooth(lines.values.real))
         else:
             left = np.sqrt(np.mean(np.abs(lines.values - fit.model) ** 2, axis=0))
             weight = np.ones(lines.values.shape) / np.maximum(left, 1e-9 * np.abs(lines.values).max(axis=0))
@@ -550,7 +552,9 @@ def _beside_model(
         return modes, [finding("analysis.no_model_channel", where, channels=given)]
     if held:
         findings.append(finding("analysis.held_output", where, channel=given))
-    theirs = oscillating(held_poles(model, given, tracks[0]) if held and given else np.linalg.eigvals(model.A))
+    theirs = oscillating(
+        poles_with_held_output(model, given, tracks[0]) if held and given else np.linalg.eigvals(model.A)
+    )
     remaining, beside = list(theirs), []
     for mode in modes:
         near = min(remaining, key=lambda pair: abs(np.log(pair[0] / mode.frequency.value)), default=None)
@@ -580,7 +584,7 @@ def oscillating(poles: NDArray[Any]) -> list[tuple[float, float]]:
     return sorted(pairs)
 
 
-def held_poles(model: LinearModel, output: str, track: str) -> Complex:
+def poles_with_held_output(model: LinearModel, output: str, track: str) -> Complex:
     """Poles (rad/s) of what remains of a linear model whose output is held: the zeros from a track to that output."""
     from scipy.linalg import eigvals
 
@@ -590,9 +594,9 @@ def held_poles(model: LinearModel, output: str, track: str) -> Complex:
     size = len(model.states)
     left = np.block([[model.A, b0], [model.C[[row]], np.array([[d0]])]])
     right = np.block([[np.eye(size), -b1], [np.zeros((1, size)), np.array([[-d1]])]])
-    found = eigvals(left, right)
+    poles = eigvals(left, right)
     # Zeros at infinity come out of the pencil as large numbers; no rig moves at 1e8 rad/s.
-    return np.asarray(found[np.isfinite(found) & (np.abs(found) < 1e8)])
+    return np.asarray(poles[np.isfinite(poles) & (np.abs(poles) < 1e8)])
 
 
 def _row(mode: MeasuredMode) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import Annotated, Any, TypeAlias
 
 from jounce.core.errors import DescriptionError
 from jounce.core.operation import File, MadeBy, Settings
-from jounce.parts.options import chosen_rig, rig_in_python
+from jounce.parts.options import rig_in_python, rig_of_options
 from jounce.parts.rig import Rig
 
 ComparedRig: TypeAlias = Annotated[
@@ -30,7 +30,7 @@ def compared_rig(
     """Load a rig and change its values, if one is named; refuse changes without a rig."""
     if rig is None and changes:
         raise DescriptionError("there is no rig to change", where="changes", hint="Name the rig with --rig.")
-    return None if rig is None else chosen_rig(rig, changes)
+    return None if rig is None else rig_of_options(rig, changes)
 
 
 def compared_rig_in_python(rig: str | None = None, changes: Mapping[str, Any] | None = None) -> str:

@@ -63,8 +63,8 @@ class Lines:
         omega = 2.0 * np.pi * self.frequency
         parts: list[Complex] = []
         for pole in poles:
-            one, other = self._kernel(pole, omega), self._kernel(np.conj(pole), omega)
-            parts += [one + other, 1j * (one - other)]
+            kernel, other = self._kernel(pole, omega), self._kernel(np.conj(pole), omega)
+            parts += [kernel + other, 1j * (kernel - other)]
         scaled = self.frequency / self.frequency[-1]
         if self.kind == "spectrum":
             real = [part.real for part in parts]
@@ -181,15 +181,15 @@ _ITERATIONS = 3  # only starts are needed: fits to the response follow
 _AT_INFINITY = 1e-9  # a root of -1 but for rounding
 
 
-def _is_same(one: tuple[float, float], other: tuple[float, float], limits: tuple[float, float]) -> bool:
-    return all(abs(a / b - 1.0) < limit for a, b, limit in zip(one, other, limits, strict=True))
+def _is_same(first: tuple[float, float], other: tuple[float, float], limits: tuple[float, float]) -> bool:
+    return all(abs(a / b - 1.0) < limit for a, b, limit in zip(first, other, limits, strict=True))
 
 
-def stable_modes(found: Stabilisation, kind: Kind) -> list[tuple[float, float, int]]:
+def stable_modes(diagram: Stabilisation, kind: Kind) -> list[tuple[float, float, int]]:
     """Frequency (Hz), damping ratio (1) and number of agreeing orders of each mode, the largest number first."""
-    stable = np.flatnonzero(found.is_stable)
+    stable = np.flatnonzero(diagram.is_stable)
     remaining = set(stable.tolist())
-    poles = list(zip(found.frequency.tolist(), found.damping_ratio.tolist(), strict=True))
+    poles = list(zip(diagram.frequency.tolist(), diagram.damping_ratio.tolist(), strict=True))
     modes = []
     while remaining:
         members = {
@@ -198,9 +198,11 @@ def stable_modes(found: Stabilisation, kind: Kind) -> list[tuple[float, float, i
         }
         best = max(members.values(), key=len)
         remaining -= set(best)
-        orders = len(set(found.order[best].tolist()))
+        orders = len(set(diagram.order[best].tolist()))
         if orders >= _FEWEST_ORDERS:
-            modes.append((float(np.median(found.frequency[best])), float(np.median(found.damping_ratio[best])), orders))
+            modes.append(
+                (float(np.median(diagram.frequency[best])), float(np.median(diagram.damping_ratio[best])), orders)
+            )
     return sorted(modes, key=lambda mode: -mode[2])[:MOST_MODES]
 
 
@@ -238,23 +240,23 @@ def fit_poles(lines: Lines, start: Array) -> PoleFit:
     limits = start[0::2]
 
     def residual(parameters: Array) -> Array:
-        return _projected(lines.columns(poles_of(parameters)), data, weights)[0]
+        return _project(lines.columns(poles_of(parameters)), data, weights)[0]
 
     low, high = np.full(start.shape, -12.0), np.full(start.shape, 4.0)
     low[0::2], high[0::2] = limits - 0.7, limits + 0.7
-    found = least_squares(residual, start, bounds=(low, high), x_scale="jac", xtol=1e-9, ftol=1e-10)
-    model = _projected(lines.columns(poles_of(found.x)), data, weights)[1]
+    solution = least_squares(residual, start, bounds=(low, high), x_scale="jac", xtol=1e-9, ftol=1e-10)
+    model = _project(lines.columns(poles_of(solution.x)), data, weights)[1]
     half = len(lines.frequency)
     values = model.astype(complex) if lines.kind == "spectrum" else model[:half] + 1j * model[half:]
-    return PoleFit(found.x, found.fun, np.asarray(found.jac), values, float(found.fun @ found.fun))
+    return PoleFit(solution.x, solution.fun, np.asarray(solution.jac), values, float(solution.fun @ solution.fun))
 
 
 def residual_at(lines: Lines, parameters: Array, values: Complex) -> Array:
     """Weighted residual (m,) of other lines at the same poles."""
-    return _projected(lines.columns(poles_of(parameters)), lines.data(values), lines.weights())[0]
+    return _project(lines.columns(poles_of(parameters)), lines.data(values), lines.weights())[0]
 
 
-def _projected(columns: Array, data: Array, weights: Array) -> tuple[Array, Array]:
+def _project(columns: Array, data: Array, weights: Array) -> tuple[Array, Array]:
     """Weighted residual of the best linear combination of columns for each output, and the combination itself."""
     scale = np.sqrt(np.mean(columns**2, axis=0))
     columns = columns / np.where(scale > 0.0, scale, 1.0)

@@ -70,7 +70,9 @@ class Measured:
     @property
     def names(self) -> list[str]:
         """Channels with real numbers over time."""
-        return [str(name) for name, one in self.run.data_vars.items() if one.dims == ("time",) and _is_number(one)]
+        return [
+            str(name) for name, values in self.run.data_vars.items() if values.dims == ("time",) and _is_number(values)
+        ]
 
     def unit(self, name: str) -> str:
         """SI unit of a channel."""
@@ -101,7 +103,7 @@ class Measured:
         return 0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
 
 
-def measured(record: AnyRecord, begin: float | str | None = None, end: float | str | None = None) -> Measured:
+def read_measured(record: AnyRecord, begin: float | str | None = None, end: float | str | None = None) -> Measured:
     """Read or accept a record, and cut it to a section of time (s).
 
     Raises
@@ -156,7 +158,7 @@ def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = (
 _EVEN = 1e-9  # of a step, by which steps may differ without a closer look
 
 
-def chosen(record: Measured, names: Sequence[str] | str | None) -> list[str]:
+def select_channels(record: Measured, names: Sequence[str] | str | None) -> list[str]:
     """Channels to analyse: those named, in one text or several; all channels if none is named."""
     present = record.names
     if names is None or not len(names):
@@ -242,5 +244,5 @@ def frequency_ranges(frequency: Array, condition: NDArray[np.bool_]) -> list[tup
     [(3.0, 4.0), (1.0, 1.0)]
     """
     edges = np.flatnonzero(np.diff(np.concatenate([[0], condition.astype(np.int8), [0]])))
-    found = [(float(frequency[a]), float(frequency[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    return sorted(found, key=lambda ends: ends[0] - ends[1])
+    ranges = [(float(frequency[a]), float(frequency[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    return sorted(ranges, key=lambda ends: ends[0] - ends[1])

@@ -19,9 +19,9 @@ from jounce.analysis.record import (
     AnyRecord,
     Measured,
     band_of,
-    chosen,
     constant_channels,
-    measured,
+    read_measured,
+    select_channels,
 )
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding, finding
@@ -212,8 +212,8 @@ def estimate_spectra(
     >>> round(found.rms**2, 3), [round(peak.frequency, 2) for peak in found.peaks]    # 3^2 / 2
     (4.5, [5.0])
     """
-    used = measured(record, begin, end)
-    names = chosen(used, channels)
+    used = read_measured(record, begin, end)
+    names = select_channels(used, channels)
     check_confidence(confidence)
     count = segment_samples(used, segment, FEWEST_PARTS)
     length = count / used.rate
@@ -221,7 +221,7 @@ def estimate_spectra(
     moving, still = constant_channels(used, names)
     spectra = {name: power_spectrum(used.values(name), used.rate, segment=length, window=window) for name in moving}
     averages = independent_segments(used.run.sizes["time"], count, window)
-    rows = tuple(_channel(used, name, one, limits) for name, one in spectra.items())
+    rows = tuple(_channel(used, name, spectrum, limits) for name, spectrum in spectra.items())
     few = finding("analysis.few_segments", used.name, averages, averages=averages, length=length)
     doubts = [few] if averages < _FEW_AVERAGES else []
     return RecordSpectra(
@@ -317,13 +317,13 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
         density[-2],
     )  # the mean was taken off; the last line has half the freedom
     where, facts = find_peaks(np.log(density), prominence=least, distance=3)
-    found = [
+    peaks = [
         _peak(spectrum, density, int(at), float(np.exp(rise)))
         for at, rise in zip(where, facts["prominences"], strict=True)
         if band[0] <= spectrum.frequency[at] <= band[1]
     ]
     apart: list[SpectralPeak] = []
-    for peak in sorted(found, key=lambda peak: -peak.ratio):  # the wider of two peaks holds the smaller one beside it
+    for peak in sorted(peaks, key=lambda peak: -peak.ratio):  # the wider of two peaks holds the smaller one beside it
         # The main lobe of a Hann window is four lines wide, its resolution 1.5 lines.
         if all(abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart):
             apart.append(peak)

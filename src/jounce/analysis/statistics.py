@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, chosen, measured
+from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, read_measured, select_channels
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import operation
 from jounce.core.results import Shows, own_unit
@@ -154,8 +154,8 @@ def describe_channels(
     >>> round(found.rms.value, 3), round(found.crest_factor, 3), round(found.crossings, 1)
     (1.414, 1.414, 5.0)
     """
-    used = measured(record, begin, end)
-    names = chosen(used, channels)
+    used = read_measured(record, begin, end)
+    names = select_channels(used, channels)
     values = {name: used.values(name) for name in names}
     time = used.run["time"].to_numpy()
     rows = tuple(_statistics(used, name, signal, time) for name, signal in values.items())
@@ -217,9 +217,9 @@ def _root(square: Estimate) -> Estimate:
 
 def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Finding]:
     """Say where the level changes or drifts."""
-    at, found = f"{used.name}: {row.channel}", []
+    at, doubts = f"{used.name}: {row.channel}", []
     if abs(row.drift) > _DRIFT * row.standard_deviation > 0.0:
-        found.append(finding("analysis.drift", at, row.drift, drift=row.drift, unit=row.unit))
+        doubts.append(finding("analysis.drift", at, row.drift, drift=row.drift, unit=row.unit))
     count = signal.size // PIECES
     if count >= 2 and row.standard_deviation > 0.0:
         levels = (signal[: count * PIECES].reshape(PIECES, count) - row.mean.value).std(axis=1)
@@ -227,7 +227,7 @@ def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Findi
         if levels[loudest] > _UNEVEN * usual:
             step = count / used.rate
             level, begin = float(levels[loudest]), loudest * step
-            found.append(
+            doubts.append(
                 finding(
                     "analysis.level_changes",
                     at,
@@ -239,7 +239,7 @@ def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Findi
                     unit=row.unit,
                 )
             )
-    return found
+    return doubts
 
 
 def _row(channel: ChannelStatistics) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from jounce.analysis.record import (
     check_channel,
     constant_channels,
     frequency_ranges,
-    measured,
+    read_measured,
 )
 from jounce.analysis.spectrum import check_confidence, segment_samples
 from jounce.core.errors import RecordingError, unknown
@@ -245,7 +245,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     if window not in WINDOWS:
         raise unknown(str(window), WINDOWS, what="window", where="window")
     check_confidence(confidence)
-    used = measured(record, begin, end)
+    used = read_measured(record, begin, end)
     names = [check_channel(used, name) for name in (given, output)]
     check_moving(used, names)
     count = segment_samples(used, segment, FEWEST_PARTS)
@@ -272,7 +272,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
     power = power_spectrum(used.values(given), used.rate, segment=count / used.rate, window=window).density[inside]
     doubts = [*_incoherent(used.name, frequency, coherence, power, significant), *words]
-    doubts += _flattened(used.name, frequency, np.abs(response), error, resolution)
+    doubts += _flattened_peaks(used.name, frequency, np.abs(response), error, resolution)
     return TransferEstimate(
         used.name,
         output,
@@ -316,7 +316,7 @@ def _spectra(
     used: Measured, given: str, output: str, count: int, window: str
 ) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
     """Frequencies (Hz), and densities of input, output, and both together, all with the input made white."""
-    white = whitened({name: used.values(name) for name in (given, output)}, given, count)
+    white = whiten({name: used.values(name) for name in (given, output)}, given, count)
     x, y = white[given], white[output]
     frequency, own = cross_spectrum(x, x, used.rate, count, window)
     other = cross_spectrum(y, y, used.rate, count, window)[1]
@@ -324,7 +324,7 @@ def _spectra(
     return frequency, own.real, other.real, cross
 
 
-def whitened(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:
+def whiten(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:
     """Filter all channels so that the input has equal power at all frequencies, which prevents blurring by the window.
 
     Input and outputs pass the same filter, without phase, so that what is between them stays. Without it a road, whose
@@ -340,7 +340,10 @@ def whitened(signals: dict[str, Array], given: str, count: int) -> dict[str, Arr
     level = uniform_filter1d(np.log(np.maximum(density, _LEAST_POWER * density.max())), 3, mode="nearest")
     longer = fft.next_fast_len(size + count, real=True)
     gain = np.exp(-0.5 * np.interp(fft.rfftfreq(longer), frequency, level))
-    return {name: fft.irfft(fft.rfft(one - one.mean(), longer) * gain, longer)[:size] for name, one in signals.items()}
+    return {
+        name: fft.irfft(fft.rfft(values - values.mean(), longer) * gain, longer)[:size]
+        for name, values in signals.items()
+    }
 
 
 _LEAST_POWER = 1e-6  # of the strongest line: what is quieter is not made louder
@@ -377,13 +380,13 @@ def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, signi
 _NEARLY_ALL = 0.95  # of the band without coherence: what is left may have it by chance
 
 
-def _flattened(name: str, frequency: Array, gain: Array, error: Array, resolution: float) -> list[Finding]:
+def _flattened_peaks(name: str, frequency: Array, gain: Array, error: Array, resolution: float) -> list[Finding]:
     """Name peaks that are so narrow that the segments take off their height (Bendat and Piersol, section 8.5)."""
     from scipy.signal import find_peaks
 
     known = np.where(error < _KNOWN, gain, 0.0)
     places, facts = find_peaks(known, prominence=0.3 * float(known.max()))
-    found = []
+    findings = []
     for at, rise in zip(places.tolist(), facts["prominences"].tolist(), strict=True):
         if rise < 4.0 * error[at] * gain[at]:  # it may be by chance
             continue
@@ -395,8 +398,8 @@ def _flattened(name: str, frequency: Array, gain: Array, error: Array, resolutio
         loss = (resolution / width) ** 2 / 3.0
         if loss > _BIAS:
             centre = float(frequency[at])
-            found.append(finding("analysis.flat_peak", name, centre, frequency=centre, width=width, loss=loss))
-    return found
+            findings.append(finding("analysis.flat_peak", name, centre, frequency=centre, width=width, loss=loss))
+    return findings
 
 
 def sliding_model(rig: Rig) -> LinearModel:

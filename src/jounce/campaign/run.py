@@ -53,7 +53,7 @@ from jounce.identify.settings import UpdateSettings
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, run_update
 from jounce.kinematics import sweep_travel
-from jounce.kinematics.adjustments import adjusted
+from jounce.kinematics.adjustments import apply_adjustments
 from jounce.parts import Corner, Rig, load, rig_findings
 from jounce.parts.files import rig_named_in
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
@@ -234,7 +234,7 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
 def rig_of(entry: TrialEntry, knowledge: Knowledge) -> Rig:
     """Return the rig as it was set up for a trial, with its adjustments made last."""
     rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
-    return adjusted(rig, entry.adjustments) if entry.adjustments else rig
+    return apply_adjustments(rig, entry.adjustments) if entry.adjustments else rig
 
 
 def _check_adjustments(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
@@ -243,7 +243,7 @@ def _check_adjustments(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
         if not entry.adjustments:
             continue
         try:
-            adjusted(rig, entry.adjustments)
+            apply_adjustments(rig, entry.adjustments)
         except JounceError as error:
             place = f"{file}: trial[{i}].adjustments (number {entry.number})"
             where = f"{place}: {error.where}" if error.where else place

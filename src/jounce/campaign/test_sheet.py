@@ -210,7 +210,7 @@ def _road_of(laboratory: Laboratory, row: TrialRow) -> Road:
 
 def _peaks(rig: Rig, trial: Trial, begin: float) -> dict[str, float]:
     from jounce.simulation.settings import RunSettings
-    from jounce.simulation.solve import solved
+    from jounce.simulation.solve import solve
 
-    run = solved(rig, trial, RunSettings(_STEP))
+    run = solve(rig, trial, RunSettings(_STEP))
     return {name: float(np.max(np.abs(run.channels[name][0][run.time >= begin]))) for name in CHANNELS}

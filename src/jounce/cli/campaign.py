@@ -61,12 +61,12 @@ def demo(
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")
         # it holds the campaign by now, and nothing else of these names
-        found = write_reported(result, folder, force=True, **asked)
+        reported = write_reported(result, folder, force=True, **asked)
 
     def draw(console: Console) -> None:
         from jounce.cli.terminal import show_page
 
-        show_page(console, reported_page(found, title=result.campaign.title))
+        show_page(console, reported_page(reported, title=result.campaign.title))
         page = folder.resolve() / "report.html"
         if page.is_file():
             console.print(f"the report: {page.as_uri()}", soft_wrap=True, highlight=False)
@@ -74,4 +74,4 @@ def demo(
             f"the workbench: {command_line(['jounce', 'serve', str(folder)])}", soft_wrap=True, highlight=False
         )
 
-    return Reply(found.to_dict(), draw, as_json, DONE if found.is_met else FAILED, found.missing)
+    return Reply(reported.to_dict(), draw, as_json, DONE if reported.is_met else FAILED, reported.missing)

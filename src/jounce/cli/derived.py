@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, shipped, warn, warn_of
+from jounce.cli.options import AsJson, Force, names_in, warn, warn_of
 from jounce.cli.outputs import OUTPUTS, Answered, Files
 from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_written, tell
 from jounce.core.operation import Count, File, Pairs, Switch
@@ -31,7 +31,7 @@ def add_commands(app: typer.Typer, group: str) -> None:
             app.command(name)(command_of(operation))
 
 
-def derived(command: str) -> Callable[..., Reply]:
+def command_function(command: str) -> Callable[..., Reply]:
     """Give the command of an operation by its words."""
     return command_of(operations()[command])
 
@@ -75,7 +75,7 @@ def _parameter(parameter: Parameter) -> inspect.Parameter:
     kind: Any = int if isinstance(mark, Count) else bool if isinstance(mark, Switch) else str
     kind = list[str] if mark.is_repeated else kind
     metavar = mark.metavar or ("FILE" if isinstance(mark, File) else None)
-    completion = shipped(*mark.shipped) if isinstance(mark, File) and mark.shipped else None
+    completion = names_in(*mark.shipped) if isinstance(mark, File) and mark.shipped else None
     said: dict[str, Any] = {"help": mark.help, "autocompletion": completion}
     if parameter.is_positional:
         option: Any = typer.Argument(metavar=mark.metavar or parameter.option.upper(), show_default=False, **said)

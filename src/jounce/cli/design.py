@@ -53,54 +53,54 @@ def kinematic_front(
         from jounce.design.hardpoint_front import front_of
         from jounce.design.kinematics import run_study
 
-        found, sources = run_study(study, lambda asked, task: front_of(task, points, starts, asked.seed))
+        front, sources = run_study(study, lambda asked, task: front_of(task, points, starts, asked.seed))
         missing: Sequence[Finding] = ()
         if out is not None:
             say("drawing")
-            missing = _write_front(found, sources, out, force=force)
-    plain = {**found.to_dict(), "out": out and str(out)}
-    return Reply(plain, lambda console: draw_kinematic_front(console, plain, found), as_json, missing=missing)
+            missing = _write_front(front, sources, out, force=force)
+    plain = {**front.to_dict(), "out": out and str(out)}
+    return Reply(plain, lambda console: draw_kinematic_front(console, plain, front), as_json, missing=missing)
 
 
-def _write_front(found: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool) -> Sequence[Finding]:
+def _write_front(front: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool) -> Sequence[Finding]:
     """Write the designs of a front with their rigs, and its picture; give what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.core.writing import write_files
     from jounce.parts.files import updated_text
 
     texts = {name: file.read_text(encoding="utf-8") for name, file in sources.items()}
-    files: dict[str, bytes | str] = {"front.csv": found.table(), "results.json": to_json(found.to_dict()) + "\n"}
-    for k in range(len(found.designs)):
-        for name, rig in found.rigs(k).items():
+    files: dict[str, bytes | str] = {"front.csv": front.table(), "results.json": to_json(front.to_dict()) + "\n"}
+    for k in range(len(front.designs)):
+        for name, rig in front.rigs(k).items():
             files[f"{name or 'rig'}-{k + 1:02d}.toml"] = updated_text(texts[name], rig)
     with drawing() as missing:
-        from jounce.plots.figures import rendered
+        from jounce.plots.figures import render_figure
         from jounce.plots.kinematic_design import front_lines
 
-        files["front.png"] = rendered(front_lines(found), [".png"])[".png"]
+        files["front.png"] = render_figure(front_lines(front), [".png"])[".png"]
     write_files(out, files, force=force)
     return missing
 
 
-def draw_kinematic_front(console: Console, plain: dict[str, Any], found: KinematicFront) -> None:
+def draw_kinematic_front(console: Console, plain: dict[str, Any], front: KinematicFront) -> None:
     """Print the designs of a front with their goals, and the numbers that move."""
     from jounce.core.display import display_unit
     from jounce.plots.kinematic_design import point_name
 
     unit = display_unit("m")
-    paths = list(found.before.moved)
+    paths = list(front.before.moved)
     heads = [f"{point_name(path)} by {unit.name}" if "hardpoints." in path else f"{path} by" for path in paths]
     rows = []
-    for label, one in [("before", found.before), *((str(k + 1), one) for k, one in enumerate(found.designs))]:
+    for label, design in [("before", front.before), *((str(k + 1), design) for k, design in enumerate(front.designs))]:
         moved = (
-            (one.moved[path] - found.before.moved[path]) * (unit.factor if "hardpoints." in path else 1.0)
+            (design.moved[path] - front.before.moved[path]) * (unit.factor if "hardpoints." in path else 1.0)
             for path in paths
         )
-        rows.append((label, *one.goals.values(), "met" if one.met else "", *(round(value, 3) for value in moved)))
-    columns = ("design", *found.goals, "", *heads)
+        rows.append((label, *design.goals.values(), "met" if design.met else "", *(round(value, 3) for value in moved)))
+    columns = ("design", *front.goals, "", *heads)
     title = "Goals, root mean square in tolerances, and what was moved"
-    console.print(table(title, columns, rows, text=(0, 1 + len(found.goals))))
-    count = len(found.designs)
-    console.print(f"{count} design{'' if count == 1 else 's'}, {found.evaluations} computed")
-    show_findings(console, found.findings)
+    console.print(table(title, columns, rows, text=(0, 1 + len(front.goals))))
+    count = len(front.designs)
+    console.print(f"{count} design{'' if count == 1 else 's'}, {front.evaluations} computed")
+    show_findings(console, front.findings)
     show_written(console, plain)

@@ -27,8 +27,8 @@ from jounce.cli import (
     study,
 )
 from jounce.cli.added import ADDED
-from jounce.cli.derived import derived
-from jounce.cli.everywhere import as_usual, completed, open_pages
+from jounce.cli.derived import command_function
+from jounce.cli.everywhere import as_usual, open_pages, with_shared_options
 from jounce.cli.options import AsJson
 from jounce.cli.pipes import without_pipes
 from jounce.cli.reply import (
@@ -77,25 +77,25 @@ def _panels() -> dict[str, dict[str, Any]]:
             "demo": campaign.demo,
         },
         "Simulation": {
-            "simulate": derived("simulate"),
-            "modes": derived("modes"),
-            "ride": derived("ride"),
-            "ride-metrics": derived("ride-metrics"),
-            "compare": derived("compare"),
-            "sweep": derived("sweep"),
-            "iri": derived("iri"),
+            "simulate": command_function("simulate"),
+            "modes": command_function("modes"),
+            "ride": command_function("ride"),
+            "ride-metrics": command_function("ride-metrics"),
+            "compare": command_function("compare"),
+            "sweep": command_function("sweep"),
+            "iri": command_function("iri"),
         },
         "Kinematics and design": {
-            "kinematics": derived("kinematics"),
-            "adjust": derived("adjust"),
-            "load-cases": derived("load-cases"),
-            "clearances": derived("clearances"),
-            "steering-effort": derived("steering-effort"),
+            "kinematics": command_function("kinematics"),
+            "adjust": command_function("adjust"),
+            "load-cases": command_function("load-cases"),
+            "clearances": command_function("clearances"),
+            "steering-effort": command_function("steering-effort"),
             "design": design.app,
         },
         "Files and pictures": {
-            "check": derived("check"),
-            "library": derived("library"),
+            "check": command_function("check"),
+            "library": command_function("library"),
             "import": importing.app,
             "export": exchange.export_app,
             "plot": pictures.plot,
@@ -142,7 +142,7 @@ def version(as_json: AsJson = False) -> Reply:
     import platform
     from importlib import metadata
 
-    def installed(name: str) -> str | None:
+    def installed_version(name: str) -> str | None:
         try:
             return metadata.version(name)
         except metadata.PackageNotFoundError:
@@ -154,7 +154,7 @@ def version(as_json: AsJson = False) -> Reply:
     with contextlib.suppress(RuntimeError):
         cache = str(cache_folder())
     plain: dict[str, str | None] = {"jounce": metadata.version("jounce"), "python": platform.python_version()}
-    plain |= {name: installed(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")}
+    plain |= {name: installed_version(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")}
     plain |= {"system": platform.platform(), "cache": cache, "cache_unusable": why_not_kept() or None}
     rows = [f"{name} {value or 'none'}" for name, value in plain.items() if name != "cache_unusable"]
     if why := plain["cache_unusable"]:
@@ -254,7 +254,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         lead_nowhere(sys.stdout)
         return PIPE_CLOSED
     except _CLICK_ERROR as error:
-        return _misused(error, as_json=as_json)
+        return _explain_misuse(error, as_json=as_json)
     except JounceError as error:
         return refuse(error, as_json=as_json)
     except UnicodeEncodeError as error:
@@ -306,7 +306,7 @@ def _command(word: str = "") -> Any:
     groups = [one for one in app.registered_groups if one.name == word]
     if commands or groups:
         app.registered_commands, app.registered_groups = commands, groups
-    return completed(typer.main.get_command(app))
+    return with_shared_options(typer.main.get_command(app))
 
 
 def _complete(words: list[str]) -> int:
@@ -337,7 +337,7 @@ def _answer(words: list[str]) -> int:
         return exit_code
 
 
-def _misused(error: Any, *, as_json: bool) -> int:
+def _explain_misuse(error: Any, *, as_json: bool) -> int:
     """Explain a command line that cannot be understood."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "jounce"

@@ -71,7 +71,7 @@ def _all(value: bool) -> None:
 _TAKEN: Mapping[str, Callable[[Any], None]] = {"open_": _open, "every_row": _all, "units": use_units}
 
 
-def completed(command: Any) -> Any:
+def with_shared_options(command: Any) -> Any:
     """The same command and its subcommands, with the options that all of them share."""
     inner = getattr(command, "commands", None)
     if inner is None:
@@ -84,8 +84,8 @@ def completed(command: Any) -> Any:
             parameter.metavar = word_of(parameter, kinds.get(parameter.name))
             if parameter.param_type_name == "argument":
                 parameter.display_type_rich = _nothing  # beside its name
-    for one in (inner or {}).values():
-        completed(one)
+    for subcommand in (inner or {}).values():
+        with_shared_options(subcommand)
     return command
 
 
@@ -104,11 +104,11 @@ def _everywhere() -> list[Any]:
     options: list[Any] = typer.main.get_command(app).params
     for option in options:
         option.expose_value = False
-        option.callback = _taken
+        option.callback = _take_option
     return options
 
 
-def _taken(context: Any, option: Any, value: Any) -> None:
+def _take_option(context: Any, option: Any, value: Any) -> None:
     if not context.resilient_parsing:
         _TAKEN[option.name](value)
 

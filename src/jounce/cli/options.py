@@ -52,7 +52,7 @@ Database = Annotated[
 ]
 
 
-def shipped(*packages: str) -> Callable[[str], list[str]]:
+def names_in(*packages: str) -> Callable[[str], list[str]]:
     """Return a function that completes names of the files shipped in these packages; a shell completes files itself."""
 
     def complete(incomplete: str) -> list[str]:
@@ -66,7 +66,7 @@ def shipped(*packages: str) -> Callable[[str], list[str]]:
 
 RigName = Annotated[
     str,
-    typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.", autocompletion=shipped("parts")),
+    typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.", autocompletion=names_in("parts")),
 ]
 
 
@@ -231,9 +231,9 @@ def write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
         write_atomically(out, rig_text(rig, [comment]), force=force)
 
 
-def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:
+def load_changed_rig(name: str, wanted: dict[str, Any]) -> Rig:
     """Load a rig and change its values; every warning about it is one line on stderr, as in ``jounce check``."""
-    from jounce.parts.options import chosen_rig as made_rig
+    from jounce.parts.options import rig_of_options as made_rig
 
     rig = made_rig(name, wanted)
     warn_of(rig, name)
@@ -257,7 +257,8 @@ def warn(findings: Iterable[Finding]) -> None:
 RoadName = Annotated[
     str | None,
     typer.Option(
-        help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.", autocompletion=shipped("roads")
+        help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.",
+        autocompletion=names_in("roads"),
     ),
 ]
 DrivenSpeed = Annotated[str | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s".')]

@@ -178,13 +178,13 @@ def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
 
 def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
     """Write what was computed, and then the page with its pictures beside it."""
-    from jounce.plots.figures import rendered
+    from jounce.plots.figures import render_figure
     from jounce.report import Picture, write_page
 
     def page() -> Page:
         whole = answered.page()
         pictures = [picture for picture in whole.pictures() if isinstance(picture, Picture)]
-        drawn = {f"{picture.name}.png": rendered(picture.figure, [".png"])[".png"] for picture in pictures}
+        drawn = {f"{picture.name}.png": render_figure(picture.figure, [".png"])[".png"] for picture in pictures}
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:

@@ -126,9 +126,9 @@ def _recordings(files: list[Path], options: dict[str, Any]) -> tuple[dict[str, x
     runs: dict[str, xr.Dataset] = {}
     findings: list[Finding] = []
     for name, file in zip(names, files, strict=True):
-        runs[name], found = read_recording(file, **options)
+        runs[name], advice = read_recording(file, **options)
         place = f"{name}: " if len(files) > 1 else ""
-        findings += [at_place(f"{place}{one.place}", one) for one in found]
+        findings += [at_place(f"{place}{finding.place}", finding) for finding in advice]
     return runs, findings
 
 
@@ -188,7 +188,7 @@ def draw(
         say("drawing")
         FIGURES.write(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
     plain = {"rig": rig, "changes": wanted, "poses": at.tolist(), "out": str(file)}
-    return Reply(plain, lambda console: show_written(console, plain), as_json, _stopped(sweep))
+    return Reply(plain, lambda console: show_written(console, plain), as_json, _report_early_end(sweep))
 
 
 def animate(
@@ -224,7 +224,7 @@ def animate(
 
     files = _animations(report, figure, force=force)
     slower = positive_quantity(slow, "1", "--slow")
-    driven = _driven(travel, rack, road, speed, duration, excitation)
+    driven = _build_trial(travel, rack, road, speed, duration, excitation)
     with progress() as say:
         say("loading")
         chosen, wanted = _rig(rig, set_)
@@ -258,7 +258,7 @@ def animate(
             console.print(f"written: {file}", soft_wrap=True)
         show_findings(console, findings)
 
-    return Reply(plain, tell, as_json, _stopped(poses))
+    return Reply(plain, tell, as_json, _report_early_end(poses))
 
 
 def _animations(report: Path | None, figure: Path | None, *, force: bool) -> list[Path]:
@@ -270,12 +270,12 @@ def _animations(report: Path | None, figure: Path | None, *, force: bool) -> lis
             raise OutputError(
                 "animations are not written in this format", where=option, found=str(file), allowed=", ".join(allowed)
             )
-    found = [check_animation(file, force=force) for file in (report, figure) if file is not None]
-    if not found:
+    animated = [check_animation(file, force=force) for file in (report, figure) if file is not None]
+    if not animated:
         raise DescriptionError(
             "nothing to write", where="jounce animate", allowed="--report FILE.html, --figure FILE.gif"
         )
-    return found
+    return animated
 
 
 def _rig(name: str, set_: list[str] | None) -> tuple[Corner, dict[str, Any]]:
@@ -288,7 +288,7 @@ def _rig(name: str, set_: list[str] | None) -> tuple[Corner, dict[str, Any]]:
     return require_corner(chosen.with_changes(wanted) if wanted else chosen), wanted
 
 
-def _driven(
+def _build_trial(
     travel: str | None,
     rack: str | None,
     road: str | None,
@@ -310,11 +310,11 @@ def _driven(
         raise DescriptionError("no motion is given", where="jounce animate", allowed=example)
     if swept:
         return None
-    from jounce.roads.options import chosen_trial
+    from jounce.roads.options import trial_of_options
 
     seconds = optional_positive(duration, "s", "--duration")
     file = None if excitation is None else str(excitation)
-    return chosen_trial(road, optional_quantity(speed, "m/s", "--speed"), seconds, file)
+    return trial_of_options(road, optional_quantity(speed, "m/s", "--speed"), seconds, file)
 
 
 def _sweep(rig: Corner, ranges: dict[str, NDArray[np.float64]]) -> xr.Dataset:
@@ -367,7 +367,7 @@ def _ends(text: str, unit: str) -> tuple[float, float]:
     return quantity(first.strip(), unit, "--between"), quantity(last.strip(), unit, "--between")
 
 
-def _stopped(poses: xr.Dataset) -> int:
+def _report_early_end(poses: xr.Dataset) -> int:
     """Say why a sweep ended early; give the exit code."""
     why = str(poses.attrs.get("stopped", ""))
     if why:

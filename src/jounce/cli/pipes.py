@@ -43,23 +43,23 @@ _BEGINS = {
 @contextmanager
 def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
     """Give a command line with the names of files in the place of pipes that are open for reading."""
-    found = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
+    matches = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
     pipes = [
         None if before in _OUTPUTS or _PIPE.fullmatch(word) else _named_pipe(word)
         for before, word in zip(["", *words], words, strict=False)
     ]
-    if not any(found) and not any(pipes):
+    if not any(matches) and not any(pipes):
         yield list(words)
         return
     folder = lasting_folder()
     try:
-        copies = {number: _copy(number, folder) for number in {_number(match) for match in found if match}}
+        copies = {number: _copy(number, folder) for number in {_number(match) for match in matches if match}}
         named = {pipe: _copy_named(pipe, folder) for pipe in dict.fromkeys(filter(None, pipes))}
         yield [
             f"{match['before']}{copies[_number(match)]}"
             if match
             else (word.removesuffix(pipe) + str(named[pipe]) if pipe else word)
-            for word, match, pipe in zip(words, found, pipes, strict=True)
+            for word, match, pipe in zip(words, matches, pipes, strict=True)
         ]
     finally:
         shutil.rmtree(folder, ignore_errors=True)

@@ -109,7 +109,7 @@ class _Actuator(Description):
         """Command before the first control instant."""
         return self.limits[0]
 
-    def resolved(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
+    def complete_for(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
         """Return the same actuator with all missing numbers filled in for a corner."""
         return self
 
@@ -179,7 +179,7 @@ class SemiActiveDamper(_Actuator):
             raise AssertionError("the damper is resolved first")
         return self.minimum, self.maximum
 
-    def resolved(self, corner: CornerModel) -> Self:
+    def complete_for(self, corner: CornerModel) -> Self:
         """Return the same damper with both bounds."""
         low = SOFTEST * corner.reference_damping if self.minimum is None else self.minimum
         high = FIRMEST * corner.reference_damping if self.maximum is None else self.maximum
@@ -305,7 +305,7 @@ class ActiveActuator(_Actuator):
         """No force, N."""
         return 0.0
 
-    def resolved(self, corner: CornerModel) -> Self:
+    def complete_for(self, corner: CornerModel) -> Self:
         """Return the same actuator with its limit."""
         if self.in_place_of is not None:
             return BaseModel.model_copy(self, update={"force_limit": math.inf})  # none, which no description may give

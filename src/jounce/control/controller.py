@@ -20,7 +20,7 @@ from jounce.core.errors import DescriptionError, JounceError, SimulationError, s
 from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
 from jounce.core.misplaced import error_at, misplaced_value
-from jounce.core.old_names import with_old_names
+from jounce.core.old_names import old_method, with_old_names
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
@@ -146,17 +146,21 @@ class Controller(Description):
         """Parameters of the law for a corner, SI; none by default."""
         return {}
 
-    def beside(self, folder: Path) -> Self:  # noqa: ARG002 - others need it
+    def resolve_paths(self, folder: Path) -> Self:  # noqa: ARG002 - others need it
         """Return the same controller with its file names resolved against a folder."""
         return self
 
-    def paced(self, fastest: float) -> Self:  # noqa: ARG002 - others need it
+    def with_rate_for(self, fastest: float) -> Self:  # noqa: ARG002 - others need it
         """Return the same controller with its rate set, where the rig's fastest mode (rad/s) determines it."""
         return self
 
-    def resolved(self, corner: CornerModel) -> Self:
+    def complete_for(self, corner: CornerModel) -> Self:
         """Return the same controller with the missing numbers of its actuator filled in for a corner."""
-        return BaseModel.model_copy(self, update={"actuator": self.actuator.resolved(corner)})  # checked before
+        return BaseModel.model_copy(self, update={"actuator": self.actuator.complete_for(corner)})  # checked before
+
+    beside: ClassVar[Any] = old_method("Controller.beside", "resolve_paths")
+    paced: ClassVar[Any] = old_method("Controller.paced", "with_rate_for")
+    resolved: ClassVar[Any] = old_method("Controller.resolved", "complete_for")
 
 
 class ForceLaw(Controller):
@@ -240,7 +244,8 @@ def _load(path: Path) -> Controller:
         raise unknown(str(law), known, what="law", where=f"{path}: law")
     kind = known[law]
     own = kind.law.model_fields["law"].default
-    return kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text).beside(path.parent)
+    law_of_file = kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text)
+    return law_of_file.resolve_paths(path.parent)
 
 
 def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Controller:

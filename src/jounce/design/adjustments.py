@@ -19,7 +19,7 @@ from jounce.kinematics.adjustments import (
     SETTINGS,
     Adjustable,
     Value,
-    adjusted,
+    apply_adjustments,
     corner_of,
     read_settings,
     write_setting,
@@ -224,7 +224,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     10.7
     """
     values = read_settings(rig, settings or {})
-    changed, rig = adjusted(rig, values), corner_of(rig)
+    changed, rig = apply_adjustments(rig, values), corner_of(rig)
     before = wheel_state(rig)
     findings = adjustment_findings(values)
     effects_by_setting: list[Effect] = []
@@ -311,7 +311,7 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
             break
     else:
         raise _unreachable(corner, wished, {"camber": camber_lengths, "toe": [toe_length]})
-    wheel = adjusted(corner, lengths).wheel
+    wheel = apply_adjustments(corner, lengths).wheel
     every = {name: lengths.pop(name, 0.0) for name in _LENGTHS}
     return Lengths(**every, camber=wheel.camber, toe=wheel.toe, others=lengths)
 
@@ -333,7 +333,7 @@ def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:
         return arms[::-1] if camber is None or camber >= rig.wheel.camber else arms
     tilts = {}
     for name in (f"link_{i}_length" for i in range(1, 5)):
-        ends = [adjusted(rig, {name: length}).wheel.camber for length in (-_PROBE, _PROBE)]
+        ends = [apply_adjustments(rig, {name: length}).wheel.camber for length in (-_PROBE, _PROBE)]
         tilts[name] = abs(ends[1] - ends[0])
     return sorted(tilts, key=lambda name: -tilts[name])
 
@@ -344,7 +344,7 @@ def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[s
     target = np.array(list(wished.values()))
 
     def miss(lengths: Array) -> Array:
-        wheel = adjusted(rig, _by_name(names, lengths)).wheel
+        wheel = apply_adjustments(rig, _by_name(names, lengths)).wheel
         return np.asarray([getattr(wheel, name) for name in wished] - target, dtype=float)
 
     lengths = np.clip(np.zeros(len(names)), low, high)
@@ -373,7 +373,7 @@ def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[s
         for setting in candidates[name]:
             for end in (SETTINGS[setting].lowest, SETTINGS[setting].highest):
                 try:
-                    ends.append(float(getattr(adjusted(rig, {setting: end}).wheel, name)))
+                    ends.append(float(getattr(apply_adjustments(rig, {setting: end}).wheel, name)))
                 except JounceError:
                     continue
             low, high = SETTINGS[setting].lowest, SETTINGS[setting].highest
@@ -401,7 +401,7 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
 
     def at(value: float) -> WheelState | None:
         try:
-            return wheel_state(adjusted(rig, {setting.name: value}))
+            return wheel_state(apply_adjustments(rig, {setting.name: value}))
         except JounceError as error:
             findings.append(
                 finding(

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 from jounce.core.description import schema_named_in
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
+from jounce.core.old_names import old_property
 from jounce.core.operation import Count, File, MadeBy, Mark, Number, Texts, operation
 from jounce.core.serialise import Plain
 from jounce.core.typed import quantity
@@ -21,7 +22,7 @@ from jounce.design.pareto import ParetoFront
 from jounce.design.problem import LimitGiven
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
-from jounce.parts.options import CHANGES, chosen_rig, rig_in_python
+from jounce.parts.options import CHANGES, rig_in_python, rig_of_options
 from jounce.ride.drives import trial_over
 
 _SCHEMA = "jounce.optimisation/"
@@ -35,7 +36,7 @@ class BestDesign(Plain):
 
     Attributes
     ----------
-    found : Optimisation, ParetoFront or DesignFront
+    outcome : Optimisation, ParetoFront or DesignFront
         SI; a front where a study asks for one.
     study : str
         The study file; empty without one.
@@ -43,35 +44,36 @@ class BestDesign(Plain):
         The rig that a study names.
     """
 
-    found: Optimisation | ParetoFront | DesignFront
+    outcome: Optimisation | ParetoFront | DesignFront
     study: str = ""
     of: str = ""
+    found = old_property("BestDesign.found", "outcome")
 
     @property
     def rig(self) -> Rig:
         """The best rig."""
-        assert isinstance(self.found, Optimisation)  # a front is refused before the search where a rig is asked for
-        return self.found.rig
+        assert isinstance(self.outcome, Optimisation)  # a front is refused before the search where a rig is asked for
+        return self.outcome.rig
 
     @property
     def aim(self) -> str:
         """Objective in words."""
-        return ", ".join(self.found.objective) if isinstance(self.found, Optimisation) else ""
+        return ", ".join(self.outcome.objective) if isinstance(self.outcome, Optimisation) else ""
 
     @property
     def driven(self) -> str:
         """Road or cases in words."""
-        return self.found.driven
+        return self.outcome.driven
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """Findings of the search."""
-        return self.found.findings
+        return self.outcome.findings
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI."""
         named = {"rig": self.of, "set": {}, "study": self.study} if self.study else {}
-        return {**named, **self.found.to_dict()}
+        return {**named, **self.outcome.to_dict()}
 
 
 def rig_or_study(
@@ -86,7 +88,7 @@ def rig_or_study(
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig | Path:
     """Load a rig and change its values; a study is given as its file."""
-    return Path(vehicle) if _is_study(vehicle) else chosen_rig(vehicle, changes)
+    return Path(vehicle) if _is_study(vehicle) else rig_of_options(vehicle, changes)
 
 
 def rig_or_study_in_python(vehicle: str, changes: Mapping[str, Any] | None = None) -> str:
@@ -197,7 +199,7 @@ def find_best_design(
     --------
     >>> free = {"strut.damper.coefficient": (500, 5000)}
     >>> best = find_best_design("audi-a6-quarter-car", free, ["sprung.az"], road="iso:C", speed="20 m/s", band="iso")
-    >>> best.found.converged
+    >>> best.outcome.converged
     True
     """
     if isinstance(rig, str | Path) and _is_study(str(rig)):

@@ -22,7 +22,7 @@ from jounce.core.waiting import report_work
 from jounce.design.cases import Case
 from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.mixtures import MOST_GOALS, achievement, across_gap, mixtures, undominated_rows
-from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
+from jounce.design.optimise import Scale, check_kept, road_in_words, search, task_of, violation_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
@@ -194,7 +194,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
         {path: unit_of(rig, path) for path in paths},
         {name: problem.base[name] for name in names},
         dict(zip(paths, problem.start.tolist(), strict=True)),
-        settled, problem.evaluations, driven_over(problem),
+        settled, problem.evaluations, road_in_words(problem),
         (*problem.notes, *_findings(len(designs), settled=settled)),
     )  # fmt: skip
 

@@ -17,7 +17,7 @@ from jounce.core.types import Array
 from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.hardpoint_search import HardpointSearch, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
-from jounce.design.kinematics import KinematicTask, moved_rigs, read_task, values_before
+from jounce.design.kinematics import KinematicTask, read_task, rigs_of, values_before
 from jounce.design.mixtures import MOST_GOALS, achievement, mixtures, undominated_rows
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
@@ -312,7 +312,7 @@ def _describe_design(race: _HardpointFrontSearch, x: Array) -> FrontDesign | Non
     """Describe the design at a point; None where its numbers make no rig."""
     search = race.search
     try:
-        rigs = moved_rigs(search, x)
+        rigs = rigs_of(search, x)
     except JounceError:
         return None
     numbering = search.evaluator.numbering

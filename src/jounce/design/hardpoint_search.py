@@ -264,14 +264,14 @@ class Outcome:
         return Outcome(x, *search.judge(x), self.steps, self.ended, self.asked)
 
     @property
-    def travelled(self) -> float:
+    def mean_displacement(self) -> float:
         """Mean distance from the rig."""
         return float(np.sqrt(np.mean(self.x**2)))
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
         """Rank, the lowest is best: met targets by least movement, otherwise mandatory ones by least cost."""
-        return not self.met, not self.holds, self.travelled if self.met else self.cost
+        return not self.met, not self.holds, self.mean_displacement if self.met else self.cost
 
 
 def search_from(search: HardpointSearch, x: Array) -> Outcome:

@@ -173,7 +173,7 @@ class KinematicStudy(Description):
             raise error_at(("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]")
         return self
 
-    def named(self) -> dict[str, str]:
+    def files_by_rig(self) -> dict[str, str]:
         """Files by the name of each rig; one alone has no name."""
         return dict(self.rigs) if self.rigs else {"": str(self.rig)}
 

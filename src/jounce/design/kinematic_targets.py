@@ -408,7 +408,7 @@ class TargetEvaluator:
         swept = np.unique(grid.sweep.layout.targets[:, 1 if item.along == "rack" else 0])
         return np.asarray(grid.place[np.searchsorted(swept, item.at)])
 
-    def unreached(self) -> list[str]:
+    def ends_in_words(self) -> list[str]:
         """Where the last poses ended, in words."""
         return [
             str(end)
@@ -674,9 +674,9 @@ class Evaluators:
         values, along = self.together(numbers, slopes=slopes)
         return [values[part] for part in self.parts], [along[part] for part in self.parts if slopes]
 
-    def unreached(self) -> list[str]:
+    def ends_in_words(self) -> list[str]:
         """Where the last poses ended, in words."""
-        return [end for *_, member in self._members for end in member.unreached()]
+        return [end for *_, member in self._members for end in member.ends_in_words()]
 
 
 def _swept_values(item: Wanted, kind: str) -> Array:

@@ -452,7 +452,7 @@ Found = TypeVar("Found")
 def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], Found]) -> tuple[Found, dict[str, Path]]:
     """Read a study file and run it; return the design and the file of each rig. Errors name file and line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
-    files = {name: rig_named_in(file, Path(path)) for name, file in study.named().items()}
+    files = {name: rig_named_in(file, Path(path)) for name, file in study.files_by_rig().items()}
     try:
         rigs = {name: check_corner(load(file)) for name, file in files.items()}
         return run(
@@ -502,7 +502,7 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
         )
     for best in sorted(reached, key=lambda outcome: outcome.rank):
         try:
-            moved = moved_rigs(search, best.x)
+            moved = rigs_of(search, best.x)
         except JounceError:
             continue
         return _result(task, moved, search, best.x, before, outcomes)
@@ -520,7 +520,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
     before, _ = search.evaluator.at(search.free.origin, slopes=False)
     missing = [i for i, value in enumerate(before) if not np.all(np.isfinite(value))]
     if missing:
-        ends, where, item = search.evaluator.unreached(), f"target[{missing[0]}]", wanted[missing[0]]
+        ends, where, item = search.evaluator.ends_in_words(), f"target[{missing[0]}]", wanted[missing[0]]
         if not ends and item.along != "roll":
             raise DescriptionError(
                 "has no value at a pose of the target", where=where, found=item.quantity, hint=_NO_VALUE
@@ -537,7 +537,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
 # results of a search --------------------------------------------------------------------------------------------------
 
 
-def moved_rigs(search: HardpointSearch, x: Array) -> dict[str, Corner]:
+def rigs_of(search: HardpointSearch, x: Array) -> dict[str, Corner]:
     """Rigs of a result, their numbers rounded as files show them: lengths to the nanometre in mm."""
     numbering = search.evaluator.numbering
     index = {path: i for i, path in enumerate(numbering.paths)}
@@ -560,7 +560,7 @@ def _numbers_at(search: HardpointSearch, outcome: Outcome) -> dict[str, float]:
         return {}
     numbering = search.evaluator.numbering
     try:
-        values = numbering.values(moved_rigs(search, outcome.x))
+        values = numbering.values(rigs_of(search, outcome.x))
     except JounceError:
         return {}
     known = dict(zip(numbering.paths, values, strict=True))
@@ -585,7 +585,7 @@ def _result(
             outcome.met,
             outcome.cost if np.isfinite(outcome.cost) else None,
             outcome.steps,
-            outcome.travelled if np.isfinite(outcome.cost) else None,
+            outcome.mean_displacement if np.isfinite(outcome.cost) else None,
             outcome.ended,
             outcome.holds,
             _numbers_at(search, outcome),

@@ -198,7 +198,7 @@ def fit_hardpoints(
     count = numbers.directions.shape[1] + len(table.offsets)
     if int(table.known.sum()) <= count:
         raise FitError("fewer readings than numbers", found=f"{int(table.known.sum())} readings, {count} numbers")
-    before = table.left(np.zeros(count))
+    before = table.misfit(np.zeros(count))
     if not np.all(np.isfinite(before[table.known])):
         raise DescriptionError(
             "the rig does not reach the measured poses", where="measured", found=table.ends(), hint="Leave them out."
@@ -223,7 +223,7 @@ def fit_hardpoints(
                 gtol=1e-12,
             )
             x = np.asarray(sought.x, dtype=float)
-            weights = table.spread_of(table.left(x), given, count)
+            weights = table.spread_of(table.misfit(x), given, count)
         ended.append((float(np.sum(table.weigh(x, spread)[0] ** 2)), x))
     costs = np.array([cost for cost, _ in ended])
     best = ended[int(np.argmin(costs))][1]
@@ -344,13 +344,13 @@ class _Table:
         rows = np.where(poses.outcome == REACHED, poses.outputs, np.nan)[self._rows]
         return rows.ravel() + self._shift @ x[size:]
 
-    def left(self, x: Array) -> Array:
+    def misfit(self, x: Array) -> Array:
         """Model minus reading."""
         return np.asarray(self.model(x) - self.readings)
 
     def slopes(self, x: Array) -> tuple[Array, Array]:
         """Slopes of the model's values along all numbers, and the residuals."""
-        left = self.left(x)
+        left = self.misfit(x)
         moved = self._tangents.run()[self._rows]  # (quantities, directions, poses)
         return np.hstack([moved.transpose(0, 2, 1).reshape(len(left), -1), self._shift]), left
 

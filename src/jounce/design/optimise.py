@@ -575,11 +575,11 @@ def outcome(problem: DesignProblem, result: SearchResult) -> Optimisation:
     return Optimisation(
         best, numbers, problem.weights, value, before, after, units, constraints, conditions.holds or result.settled,
         result.iterations, problem.evaluations, "exact" if problem.evaluator.is_exact else "differences",
-        driven_over(problem), tuple(findings),
+        road_in_words(problem), tuple(findings),
     )  # fmt: skip
 
 
-def driven_over(problem: DesignProblem) -> str:
+def road_in_words(problem: DesignProblem) -> str:
     """Describe in words the road or the cases on which a design is evaluated."""
     if problem.driven:
         return problem.driven

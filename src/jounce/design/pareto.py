@@ -19,7 +19,7 @@ from jounce.core.text import align_columns
 from jounce.core.types import Array
 from jounce.core.waiting import report_work
 from jounce.design.cases import Case
-from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
+from jounce.design.optimise import check_kept, is_optimal, road_in_words, search, task_of
 from jounce.design.options import FREE, LIMITS, RANDOM_ROAD, ROAD_BAND, ROAD_SPEED
 from jounce.design.problem import (
     DesignProblem,
@@ -119,7 +119,7 @@ def best_dampers(
         ("road holding", holding, road_holding_damping),
     )
     for goal, metric, formula in goals:
-        closed = {wheel.damper: formula(wheel.lumped(values)) / wheel.motion_ratio**2 for wheel in wheels}
+        closed = {wheel.damper: formula(wheel.quarter_car(values)) / wheel.motion_ratio**2 for wheel in wheels}
         free: dict[str, Bounds] = {path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()}
         begin = {path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()}
         more = [comfort, holding]  # so that both are judged on the same road
@@ -333,7 +333,7 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
         whole["comfort"], whole["holding"], whole["travel"],
         {path: table[:, i] for i, path in enumerate(paths)},
         {path: unit_of(rig, path) for path in paths},
-        marks, converged, driven_over(soft), (*soft.notes, *notes, *_findings(whole, converged=converged)),
+        marks, converged, road_in_words(soft), (*soft.notes, *notes, *_findings(whole, converged=converged)),
     )  # fmt: skip
 
 

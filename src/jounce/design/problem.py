@@ -281,11 +281,11 @@ class TrialEvaluator:
         rest, rest_slopes = signals[:, 0], along[:, :, 0]
         moved, slopes = signals - rest[:, None], along - rest_slopes[:, :, None]
         if metric.weighting:
-            from jounce.ride.weighting import weighted
+            from jounce.ride.weighting import weight
 
             rate = 1.0 / self.output_step
-            moved = np.array([weighted(row, rate, metric.weighting) for row in moved])
-            slopes = np.array([[weighted(row, rate, metric.weighting) for row in block] for block in slopes])
+            moved = np.array([weight(row, rate, metric.weighting) for row in moved])
+            slopes = np.array([[weight(row, rate, metric.weighting) for row in block] for block in slopes])
         sigma = np.sqrt(np.mean(moved**2, axis=1))
         change = np.mean(slopes * moved[:, None, :], axis=2) / np.maximum(sigma, 1e-300)[:, None]
         return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)

@@ -21,7 +21,7 @@ from jounce.core.types import Array
 from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
-from jounce.kinematics.adjustments import SETTINGS, adjusted
+from jounce.kinematics.adjustments import SETTINGS, apply_adjustments
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.refitting import Changes, has_rocker, refit, rod_lengths, rods, triple
@@ -245,7 +245,7 @@ class Workshop:
         columns = []
         for item, (low, high) in zip(self._settings, ends, strict=True):
             step = _STEP if high >= _STEP else -_STEP
-            moved = adjusted(self.rig, {item.name: float(np.clip(step, low, high))})
+            moved = apply_adjustments(self.rig, {item.name: float(np.clip(step, low, high))})
             columns.append((self._aims(moved, self.values(moved)) - self._drawn) / step)
         self._effects = np.array(columns).T if columns else np.zeros((len(self._drawn), 0))
 
@@ -295,7 +295,7 @@ class Workshop:
             bounds = (self._low - 1e-12, self._high + 1e-12)
             settings = np.clip(lsq_linear(self._effects, -left, bounds=bounds).x, self._low, self._high)
             asked = dict(zip([item.name for item in self._settings], settings.tolist(), strict=True))
-            better = adjusted(car, asked)
+            better = apply_adjustments(car, asked)
             values_then = self.values(better)
             aims = self._aims(better, values_then)
         return settings, values_then

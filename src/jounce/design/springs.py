@@ -46,7 +46,7 @@ class WheelCarriage:
     tyre_stiffness: float | None = None
     tyre_damping: float = 0.0
 
-    def lumped(self, values: Mapping[str, float]) -> LumpedCorner:
+    def quarter_car(self, values: Mapping[str, float]) -> LumpedCorner:
         """Quarter car of this wheel, with the numbers (SI) of its rig."""
         if self.unsprung_mass is None or self.tyre_stiffness is None:
             raise DescriptionError(

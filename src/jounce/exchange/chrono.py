@@ -121,13 +121,13 @@ def write_chrono(
     wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
     if wheel_mass < 0.0:
         raise DescriptionError("not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more")
-    writing = _ChronoWriter(_left(as_rig(rig)), wheel_mass)
+    writing = _ChronoWriter(_left_corner(as_rig(rig)), wheel_mass)
     table = writing.table()
     write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)
     return ChronoExport(file, table["Template"], tuple(writing.findings))
 
 
-def _left(rig: Rig) -> Corner:
+def _left_corner(rig: Rig) -> Corner:
     allowed = "3-D corners: double-wishbone, mcpherson, five-link"
     corner = corner_of(rig, "the rig is no suspension of Chrono", allowed)
     require_parts(corner, what="a suspension of Chrono")
@@ -170,9 +170,9 @@ class _ChronoWriter:
         }
         rig = self.rig
         if type(rig) not in ways:
-            raise self._refused(f"no template of Chrono is a {getattr(rig, 'model', '')}")
+            raise self._refusal(f"no template of Chrono is a {getattr(rig, 'model', '')}")
         if rig.strut.on == "rocker":
-            raise self._refused("a push rod and a rocker are in no template of Chrono's files")
+            raise self._refusal("a push rod and a rocker are in no template of Chrono's files")
         self.template, bodies = ways[type(rig)]
         wheel = rig.wheel
         head = {
@@ -189,7 +189,7 @@ class _ChronoWriter:
         self._note_rest()
         return {**head, **parts, "Axle": {"Inertia": _AXLE_INERTIA}}
 
-    def _refused(self, what: str, **more: Any) -> OutputError:
+    def _refusal(self, what: str, **more: Any) -> OutputError:
         return OutputError(
             what, where="rig", allowed="arms with the strut on the lower one, or equations and MJCF", **more
         )
@@ -279,7 +279,7 @@ class _ChronoWriter:
 
     def _double_wishbone(self) -> dict[str, dict[str, Any]]:
         if self.rig.strut.on != "lower_arm":
-            raise self._refused("Chrono's double wishbone has its strut on the lower arm", found=self.rig.strut.on)
+            raise self._refusal("Chrono's double wishbone has its strut on the lower arm", found=self.rig.strut.on)
         return {
             **self._carrier(),
             "Upper Control Arm": self._arm("upper_arm", "Upper Control Arm"),
@@ -302,29 +302,29 @@ class _ChronoWriter:
     def _multi_link(self) -> dict[str, dict[str, Any]]:
         points, bodies = self.points, self.rig.body_masses()
         if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > SAME_POINT:
-            raise self._refused("links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there")
+            raise self._refusal("links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there")
         if self.rig.strut.on != "link_4":
-            raise self._refused("Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on)
+            raise self._refusal("Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on)
         missing = [name for name in ("link_3", "link_4") if name not in bodies]
         if missing:
-            raise self._refused("links without mass, which Chrono's multi-link has", found=", ".join(missing))
+            raise self._refusal("links without mass, which Chrono's multi-link has", found=", ".join(missing))
         heavy = [name for name in ("link_1", "link_2") if name in bodies]
         if heavy:
-            raise self._refused("links 1 and 2 are bodies of their own, and one arm in Chrono", found=", ".join(heavy))
+            raise self._refusal("links 1 and 2 are bodies of their own, and one arm in Chrono", found=", ".join(heavy))
         carrier = bodies["upright"]
         outer = np.array(self.rig.hardpoints.link_1_outer)  # type: ignore[attr-defined]
         arm = _ball(_ARM_SHARE * carrier.mass, outer, _ARM_SIZE)
         self._say("exchange.upper_arm_mass", "Upper Arm", mass=arm.mass)
         inners = points["link_1_inner"], points["link_2_inner"]
-        kept = self.rig
-        self.rig = kept.model_copy(
-            update={"bodies": kept.bodies.model_copy(update={"upright": _less(carrier, arm, with_inertia=False)})}
+        original = self.rig
+        self.rig = original.model_copy(
+            update={"bodies": original.bodies.model_copy(update={"upright": _less(carrier, arm, with_inertia=False)})}
         )
         parts = {
             **self._carrier(),
             "Upper Arm": self._part("link_1", "Upper Arm", arm, arm_frame(*inners, points["link_1_outer"], "link_1")),
         }
-        self.rig = kept
+        self.rig = original
         for name, section, beside in (
             ("link_3", "Lateral", points["link_4_outer"]),
             ("link_4", "Trailing Link", points["spring_bottom"]),
@@ -378,7 +378,7 @@ class _ChronoWriter:
             return {"Deformation": np.array(damper.length), "Map Data": rows}
         points = damper.points(beyond=10.0)
         if points is None:
-            raise self._refused("a damper with hysteresis is in no file of Chrono", found=damper.kind)
+            raise self._refusal("a damper with hysteresis is in no file of Chrono", found=damper.kind)
         velocity, force = points
         return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
 

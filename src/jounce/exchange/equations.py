@@ -14,7 +14,7 @@ from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.turns import once
 from jounce.core.writing import Formats
-from jounce.exchange.expressions import LATEX, PYTHON, Language, Written, identifiers, latex_name, written
+from jounce.exchange.expressions import LATEX, PYTHON, Language, Written, identifiers, latex_name, write_expressions
 from jounce.mechanics.facts import speed_of
 from jounce.models import build
 from jounce.parts import Rig, as_rig
@@ -88,18 +88,18 @@ class Equations(Plain):
         pieces = [ca.sparsify(flat[a:b]) for a, b in pairwise(ends)]
         return ca.Function("equations", symbols, pieces)
 
-    def _written(self, names: list[list[str]], language: Language) -> tuple[Written, list[tuple[int, int]]]:
+    def _write(self, names: list[list[str]], language: Language) -> tuple[Written, list[tuple[int, int]]]:
         shapes = [self.function.size_out(i) for i in range(len(RESULTS))]
-        return written(self._graph, names, language), shapes
+        return write_expressions(self._graph, names, language), shapes
 
     def latex(self) -> str:
         """The equations as a LaTeX document's body: definitions of repeated expressions, then the matrices."""
         names = [[latex_name(name) for name in group] for group in self.arguments.values()]
-        found, shapes = self._written(names, LATEX)
+        code, shapes = self._write(names, LATEX)
         lines = [f"% {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI"]
-        lines += [rf"\begin{{equation*}} {name} = {text} \end{{equation*}}" for name, text in found.definitions]
+        lines += [rf"\begin{{equation*}} {name} = {text} \end{{equation*}}" for name, text in code.definitions]
         symbols = {"gamma": r"\gamma", "dq": r"\dot q", "dz": r"\dot z"}
-        for result, shape, elements in zip(RESULTS, shapes, found.results, strict=True):
+        for result, shape, elements in zip(RESULTS, shapes, code.results, strict=True):
             if not elements:
                 continue
             rows = [" & ".join(elements[i :: shape[0]]) for i in range(shape[0])]
@@ -115,7 +115,7 @@ class Equations(Plain):
         names = [identifiers(group, "mode_" if key == "m" else "") for key, group in groups.items()]
         taken = [name for group in names for name in group]
         identifiers(taken)
-        found, shapes = self._written(names, PYTHON)
+        code, shapes = self._write(names, PYTHON)
         functions = (
             "Abs, Eq, Matrix, Max, Min, Ne, Piecewise, Symbol, acos, asin, atan, atan2, cos, cosh, exp, log, sign, "
         )
@@ -129,8 +129,8 @@ class Equations(Plain):
             lines += [f"{name} = Symbol({theirs!r}, real=True)" for name, theirs in zip(own, group, strict=True)]
             lines += [f"{key} = Matrix([{', '.join(own)}])", ""]
         lines += [f"numbers = {self.numbers!r}  # of p, by name", ""]
-        lines += [f"{name} = {text}" for name, text in found.definitions]
-        for result, shape, elements in zip(RESULTS, shapes, found.results, strict=True):
+        lines += [f"{name} = {text}" for name, text in code.definitions]
+        for result, shape, elements in zip(RESULTS, shapes, code.results, strict=True):
             rows = [f"[{', '.join(elements[i :: shape[0]])}]" for i in range(shape[0])]
             content = f"[{', '.join(rows)}]" if elements else f"{shape[0]}, {shape[1]}, []"
             lines.append(f"{result} = Matrix({content})  # {_MEANING[result]}")
@@ -201,9 +201,9 @@ def write_equations(
     ('road.z', 'road.vz')
     """
     EQUATION_FORMATS.check(path, force=force)
-    found = equations(as_rig(rig))
-    EQUATION_FORMATS.write(found, path, force=force)
-    return found
+    formed = equations(as_rig(rig))
+    EQUATION_FORMATS.write(formed, path, force=force)
+    return formed
 
 
 def equations(rig: Rig) -> Equations:
@@ -262,13 +262,13 @@ def _inputs(track: str) -> tuple[str, str, str]:
 
 
 def _writer(text: Callable[[Equations], str]) -> Callable[[Equations, Path], object]:
-    return lambda found, file: file.write_text(text(found), encoding="utf-8", newline="\n")
+    return lambda formed, file: file.write_text(text(formed), encoding="utf-8", newline="\n")
 
 
-def _casadi(found: Equations) -> str:
+def _casadi(formed: Equations) -> str:
     """The function as ``casadi.Function.load`` reads it; CasADi does not notice where a disk is full as it writes."""
     serializer = ca.StringSerializer()
-    serializer.pack(found.function)
+    serializer.pack(formed.function)
     return str(serializer.encode())
 
 

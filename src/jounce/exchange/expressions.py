@@ -50,7 +50,7 @@ class Written:
     results: tuple[tuple[str, ...], ...]
 
 
-def written(function: ca.Function, names: Sequence[Sequence[str]], language: Language) -> Written:
+def write_expressions(function: ca.Function, names: Sequence[Sequence[str]], language: Language) -> Written:
     """Write a function out; ``names`` are those of the elements of each argument."""
     nodes, results = _nodes(function, names, language.number)
     uses = [0] * len(nodes)
@@ -102,7 +102,7 @@ def _nodes(
     return nodes, results
 
 
-def _held(part: Part, least: int) -> str:
+def _in_brackets(part: Part, least: int) -> str:
     """A part, in brackets if its precedence requires them."""
     return part[0] if part[1] >= least else f"({part[0]})"
 
@@ -126,19 +126,19 @@ def _python(kind: str, parts: Sequence[Part]) -> Part:
     if kind in _CALLS:
         return f"{_CALLS[kind]}({', '.join(texts)})", _ATOM
     if kind in _CONDITIONS:
-        condition = _CONDITIONS[kind].format(*(_held(part, _POWER) for part in parts))
+        condition = _CONDITIONS[kind].format(*(_in_brackets(part, _POWER) for part in parts))
         return f"Piecewise((1, {condition}), (0, True))", _ATOM
     forms: dict[str, Callable[..., Part]] = {
         "ADD": lambda a, b: (f"{a[0]} + {b[0]}", _SUM),
-        "SUB": lambda a, b: (f"{a[0]} - {_held(b, _PRODUCT)}", _SUM),
-        "MUL": lambda a, b: (f"{_held(a, _PRODUCT)}*{_held(b, _PRODUCT)}", _PRODUCT),
-        "DIV": lambda a, b: (f"{_held(a, _PRODUCT)}/{_held(b, _POWER)}", _PRODUCT),
-        "NEG": lambda a: (f"-{_held(a, _POWER)}", _SUM),
-        "SQ": lambda a: (f"{_held(a, _ATOM)}**2", _POWER),
-        "TWICE": lambda a: (f"2*{_held(a, _PRODUCT)}", _PRODUCT),
-        "INV": lambda a: (f"1/{_held(a, _POWER)}", _PRODUCT),
-        "POW": lambda a, b: (f"{_held(a, _ATOM)}**{_held(b, _ATOM)}", _POWER),
-        "CONSTPOW": lambda a, b: (f"{_held(a, _ATOM)}**{_held(b, _ATOM)}", _POWER),
+        "SUB": lambda a, b: (f"{a[0]} - {_in_brackets(b, _PRODUCT)}", _SUM),
+        "MUL": lambda a, b: (f"{_in_brackets(a, _PRODUCT)}*{_in_brackets(b, _PRODUCT)}", _PRODUCT),
+        "DIV": lambda a, b: (f"{_in_brackets(a, _PRODUCT)}/{_in_brackets(b, _POWER)}", _PRODUCT),
+        "NEG": lambda a: (f"-{_in_brackets(a, _POWER)}", _SUM),
+        "SQ": lambda a: (f"{_in_brackets(a, _ATOM)}**2", _POWER),
+        "TWICE": lambda a: (f"2*{_in_brackets(a, _PRODUCT)}", _PRODUCT),
+        "INV": lambda a: (f"1/{_in_brackets(a, _POWER)}", _PRODUCT),
+        "POW": lambda a, b: (f"{_in_brackets(a, _ATOM)}**{_in_brackets(b, _ATOM)}", _POWER),
+        "CONSTPOW": lambda a, b: (f"{_in_brackets(a, _ATOM)}**{_in_brackets(b, _ATOM)}", _POWER),
         "COPYSIGN": lambda a, b: (f"Abs({a[0]})*sign({b[0]})", _PRODUCT),
         "IF_ELSE_ZERO": lambda a, b: (f"Piecewise(({b[0]}, Ne({a[0]}, 0)), (0, True))", _ATOM),
         "ASSIGN": lambda a: a,

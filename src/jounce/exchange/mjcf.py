@@ -304,10 +304,10 @@ class _MjcfWriter:
         if spring.rate is not None:
             return spring.rate, spring.rate * compressed + (spring.preload or 0.0)
         assert spring.curve is not None
-        rate, force = self._straightened(spring.curve, compressed, "strut.spring")
+        rate, force = self._tangent(spring.curve, compressed, "strut.spring")
         return rate, force + (spring.preload or 0.0)
 
-    def _straightened(self, curve: Curve, x: float, where: str) -> tuple[float, float]:
+    def _tangent(self, curve: Curve, x: float, where: str) -> tuple[float, float]:
         """Rate and force of a curve at a deflection (m), N/m and N; refuse one that does not rise there."""
         low, force, high = (force_at(curve, x + side * _SMALL) for side in (-1.0, 0.0, 1.0))
         rate = (high - low) / (2.0 * _SMALL)
@@ -340,7 +340,7 @@ class _MjcfWriter:
         else:
             assert tyre.curve is not None
             height = self.rig.hardpoints.wheel_centre[2]
-            stiffness, force = self._straightened(tyre.curve, radius - height, "tyre")
+            stiffness, force = self._tangent(tyre.curve, radius - height, "tyre")
             radius = height + force / stiffness
         if getattr(tyre, "law", "vertical") == "radial":
             self._say("exchange.tyre_by_height", "tyre.law")

@@ -113,9 +113,9 @@ def _number(metres: float) -> str:
 def _lines(rig: Corner) -> Iterator[tuple[Triple, Triple]]:
     points = rig.hardpoints
     given = points.given()
-    for one, other in (*type(points).rods, *_LINES):
-        if one in given and other in given:
-            yield given[one], given[other]
+    for first, other in (*type(points).rods, *_LINES):
+        if first in given and other in given:
+            yield given[first], given[other]
 
 
 def _drawing(rig: Corner, file: Path) -> None:
@@ -125,8 +125,8 @@ def _drawing(rig: Corner, file: Path) -> None:
     for name, point in rig.hardpoints.given().items():
         pairs += [(0, "POINT"), (8, "hardpoints"), *_at(10, point)]
         pairs += [(0, "TEXT"), (8, "names"), *_at(10, point), (40, f"{_TEXT:g}"), (1, name)]
-    for one, other in _lines(rig):
-        pairs += [(0, "LINE"), (8, "links"), *_at(10, one), *_at(11, other)]
+    for first, other in _lines(rig):
+        pairs += [(0, "LINE"), (8, "links"), *_at(10, first), *_at(11, other)]
     pairs += [(0, "ENDSEC"), (0, "EOF")]
     file.write_text("".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii", newline="\n")
 

@@ -40,7 +40,7 @@ from jounce.recordings.signals import shift_signals, shift_with_derivative
 from jounce.roads import Enveloped, Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
-from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.problem import excitation, force_actuator
 from jounce.simulation.result import Solution
 from jounce.simulation.solve import start_offset
 
@@ -384,7 +384,7 @@ class ModelErrorProblem:
 
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
         """Compile a rig with the slopes by all uncertain inputs, and with an actuator for forces outside its laws."""
-        actuator = known_actuator(trial)
+        actuator = force_actuator(trial)
         if actuator is None and self.richer.has_laws and max(self.doubt.presliding, self.doubt.arms) > 0.0:
             from jounce.control.actuators import ActiveActuator
 

@@ -39,7 +39,7 @@ from jounce.recordings.signals import shift_signals
 from jounce.roads import Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
-from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.problem import excitation, force_actuator
 from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
 from jounce.simulation.solve import start_offset
@@ -518,7 +518,7 @@ class Simulated:
 def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings) -> Prepared:
     """Compile a trial's model with the free parameters, prepare its channels, and refuse incomparable ones."""
     paths = tuple(item.path for item in free)
-    compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
+    compiled = compile_rig(trial.rig, paths, actuator=force_actuator(trial.trial))
     names, weights = settings.channels, settings.weights
     _check_channels(compiled.output_names, names, weights)
     given = ("command", "actuator.force") if trial.trial.actuator_force is not None else ()  # inputs, not answers

@@ -23,7 +23,7 @@ from jounce.identify.discrepancy import OBSERVATIONS, candidate_information, rea
 from jounce.identify.fit_problem import FitTrial, prepare_trial, project_out
 from jounce.identify.posterior import Posterior
 from jounce.parts import Rig
-from jounce.parts.rig import check_rig, shown_unit_of
+from jounce.parts.rig import check_rig, result_unit_of
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Trial
 
@@ -184,7 +184,7 @@ def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, co
         series.append(best)
         known = known + informations[best.name]
     now = dict(zip(paths, np.sqrt(np.diag(judge.covariance(start))).tolist(), strict=True))
-    units = {path: shown_unit_of(basis.trials[0].rig, path) for path in paths}
+    units = {path: result_unit_of(basis.trials[0].rig, path) for path in paths}
     counted = "noise only" if basis.calibration is None else "model error"
     return NextTrials(counted, now, units, tuple(every), tuple(series), tuple(findings))
 

@@ -19,7 +19,7 @@ from jounce.identify.fit_problem import FitTrial, FreeParameter
 from jounce.recordings.sensors import Sensor
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.free_motion import FreeVibration, free_motions
-from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.problem import excitation, force_actuator
 
 SPEED, LOW_PASS, START = "speed", ".low_pass", "start"
 FASTEST = 0.45
@@ -126,7 +126,7 @@ _AT_ONCE = 0.05
 
 def start_motions(trial: FitTrial) -> list[FreeVibration]:
     """Natural vibrations of the rig of a trial, at rest on the road where it begins."""
-    compiled = compile_rig(trial.rig, actuator=known_actuator(trial.trial))
+    compiled = compile_rig(trial.rig, actuator=force_actuator(trial.trial))
     signals = excitation(compiled.facts, trial.rig, trial.trial)
     heights = [float(signal.evaluate(np.zeros(1))[0][0]) for signal in signals]
     still = compiled.inputs(dict(zip(compiled.facts.tracks, heights, strict=True)))

@@ -34,7 +34,7 @@ from jounce.recordings.schema import recording_of
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.roads import Road, Train, Trial
 from jounce.simulation.settings import RunSettings
-from jounce.simulation.solve import solved
+from jounce.simulation.solve import solve
 
 _LIKE = 0.5
 """Correlation with the model's response from which on a place in the record counts as a passage."""
@@ -275,7 +275,7 @@ def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[
         lead, period, begin = 0.02, None, 0.0
         span = lead + length / speed + _AFTER
         trial = Trial(road=road.model_copy(update={"start": lead * speed}), speed=speed, duration=span)
-    run = solved(rig, trial, RunSettings(step, 1e-4))
+    run = solve(rig, trial, RunSettings(step, 1e-4))
     first = int(np.searchsorted(run.time, begin - 0.5 * step))
     signals = {}
     for name, (values, _, _) in run.channels.items():

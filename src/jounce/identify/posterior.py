@@ -41,7 +41,7 @@ from jounce.identify.log_density import (
 from jounce.identify.prediction import RICHER, PredictionBand, bands_of
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import UpdateResult, bounds_and_priors, run_update
-from jounce.parts.rig import shown_unit_of
+from jounce.parts.rig import result_unit_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -354,7 +354,7 @@ def posterior_with(
     progress(Phrase("{name}: the density around the estimate", name=name))
     table = fit_log_density(density, density.region, seed)
     progress(Phrase("{name}: {draws} draws", name=name, draws=draws))
-    units = {item.path: shown_unit_of(basis.trials[0].rig, item.path) for item in limits}
+    units = {item.path: result_unit_of(basis.trials[0].rig, item.path) for item in limits}
     sampled = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
     result = replace(sampled, update=update, basis=basis, findings=(*at.findings, *sampled.findings))
     if not chosen:

@@ -34,7 +34,7 @@ from jounce.identify.stated_masses import loads_held_against_masses, preferred_m
 from jounce.identify.suspects import CLEARLY, suspects
 from jounce.identify.trials_compared import disagreeing, exchanged_channels, unlike
 from jounce.parts import Rig
-from jounce.parts.rig import shown_unit_of, unit_of
+from jounce.parts.rig import result_unit_of, unit_of
 
 # what the data can tell -----------------------------------------------------------------------------------------------
 
@@ -413,7 +413,7 @@ def run_update(
             item.lower,
             item.upper,
             bool(at_bound[i]),
-            shown_unit_of(trials[0].rig, item.path),
+            result_unit_of(trials[0].rig, item.path),
         )
         if at_bound[i]:
             findings.append(finding("identify.on_bound", item.path, value))
@@ -621,7 +621,7 @@ def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> l
     other = search.others[0]
     ratio = other.objective / best.objective if best.objective > 0.0 else np.inf
     moved = (
-        (free.path, free.value(place), shown_unit_of(problem.trials[0].source.rig, free.path))
+        (free.path, free.value(place), result_unit_of(problem.trials[0].source.rig, free.path))
         for free, place, here in zip(problem.free, other.scaled, best.scaled, strict=False)
         if abs(place - here) > SAME_PLACE
     )

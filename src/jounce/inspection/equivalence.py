@@ -26,7 +26,7 @@ from jounce.inspection.methods import METHODS as EVALUATED
 from jounce.parts import QuarterCar, as_rig
 from jounce.parts.options import AnyRig
 from jounce.parts.testers import load_tester
-from jounce.parts.variants import worn
+from jounce.parts.variants import wear_dampers
 from jounce.testers.plate_response import wheel_mode
 from jounce.testers.testing import simulate_test
 from jounce.variants.threads import processors
@@ -322,7 +322,7 @@ def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
     rigid, sprung = load_tester(_RIGID), load_tester(_SPRUNG)
     results = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
     for i, share in enumerate(shares):
-        car = worn(rig, float(share))
+        car = wear_dampers(rig, float(share))
         wheel = evaluate(simulate_test(car, rigid, truth=False), rigid, methods=["eusama", "egea"]).wheels[0]
         mode = wheel_mode(_without_friction(car), sprung, on="road")
         values = (wheel.adhesion, wheel.phase_angle_min_deg, None if mode is None else mode.damping_ratio)

@@ -83,7 +83,7 @@ class Criterion(Description):
     date: str = ""
     verified: bool = True
 
-    def cited(self, language: Language = "en") -> str:
+    def citation(self, language: Language = "en") -> str:
         """Give its source; the English one where there is no other."""
         return self.source_de if language == "de" and self.source_de else self.source
 

@@ -158,7 +158,7 @@ class Reason:
         if isinstance(criterion, Criterion):
             words |= _criterion_words(criterion, self.values, language)
             before = "Grenzwerte" if language == "de" else "Limits"
-            words["limits"] = f" {before}: {criterion.cited(language)}." if with_source else ""
+            words["limits"] = f" {before}: {criterion.citation(language)}." if with_source else ""
         sentence = _SENTENCES[self.kind].in_language(language).format(**words)
         return sentence[0].upper() + sentence[1:] if language == "de" else sentence
 

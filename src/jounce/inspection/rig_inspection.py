@@ -24,7 +24,7 @@ from jounce.parts.files import load
 from jounce.parts.options import CHANGES, rig_in_python
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester, as_tester, load_tester
-from jounce.parts.variants import worn
+from jounce.parts.variants import wear_dampers
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -279,12 +279,12 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
     more: dict[str, Any] = {"method": method, "axle": axle, "noise": noise, "seed": seed, "vehicle": name}
     decides = method or plates.method
     if wheel == "both":
-        graded, measured = simulate_axle(worn(stood, wears[0]) if wears[0] else stood, plates, **more)
+        graded, measured = simulate_axle(wear_dampers(stood, wears[0]) if wears[0] else stood, plates, **more)
         return InspectedRig(plates, decides, steady, (wears[0],), (), graded, measurable(measured, truth=truth))
     tests = []
     for number, lost in enumerate(wears, 1):
         progress(progress_through("testing {which} of {count}", number, len(wears)) if len(wears) > 1 else "testing")
-        changed = worn(stood, lost) if lost else stood
+        changed = wear_dampers(stood, lost) if lost else stood
         tests.append(simulate_inspection(changed, plates, steady=steady, wheel=wheel, **more))
     first = None if _is_range(wear) else tests[0].record
     record = None if first is None else measurable(first, truth=truth)

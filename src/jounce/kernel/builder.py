@@ -83,13 +83,13 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
     def load(self, ptr: ir.Value, name: str = "", align: int | None = None, typ: ir.Type | None = None) -> ir.Value:  # noqa: ARG002
         """Load from an address."""
         kind = ptr.type.pointee if typ is None else typ
-        return self._write(kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_aligned(align)}")
+        return self._write(kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_alignment(align)}")
 
     def store(self, value: ir.Value, ptr: ir.Value, align: int | None = None) -> ir.Value:
         """Store to an address."""
         if value.type is not ptr.type.pointee and value.type != ptr.type.pointee:
             raise TypeError(f"cannot store {value.type} at {ptr.type}")
-        text = f"store {value.type} {value.get_reference()}, {ptr.type} {ptr.get_reference()}{_aligned(align)}"
+        text = f"store {value.type} {value.get_reference()}, {ptr.type} {ptr.get_reference()}{_alignment(align)}"
         line = _Line(ir.VoidType(), "", text)
         self._insert(line)
         return line
@@ -105,5 +105,5 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         return self._write(vector.type, f"insertelement {parts}")
 
 
-def _aligned(align: int | None) -> str:
+def _alignment(align: int | None) -> str:
     return "" if align is None else f", align {align}"

@@ -29,14 +29,14 @@ def key_here(identity: str) -> str:
     return hashlib.sha256(f"{digest_of('kernel')} {compiled_for()} {identity}".encode()).hexdigest()
 
 
-def joined(head: dict[str, Any], code: bytes) -> bytes:
+def join(head: dict[str, Any], code: bytes) -> bytes:
     """Return one entry: the head (as JSON, after its length) followed by the code."""
     text = json.dumps(head).encode()
     return len(text).to_bytes(_LENGTH, "little") + text + code
 
 
-def parted(content: bytes) -> tuple[dict[str, Any], bytes]:
-    """Return the head and the code of an entry made by ``joined``."""
+def split(content: bytes) -> tuple[dict[str, Any], bytes]:
+    """Return the head and the code of an entry made by ``join``."""
     start = _LENGTH + int.from_bytes(content[:_LENGTH], "little")
     return json.loads(content[_LENGTH:start]), content[start:]
 

@@ -29,7 +29,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.sources import digest_of
 from jounce.core.turns import once
 from jounce.core.waiting import report_work
-from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
+from jounce.kernel.cache import join, keep, key_here, read_sealed, recall, split, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
 from jounce.kernel.machine import IN_LLVM, MachineCode, features, machine_code, this_machine
 
@@ -76,7 +76,7 @@ class Loop:
         return code
 
     @once
-    def _loaded(self) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
+    def _load(self) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
         if not objects_are_known():
             _LOG.warning("this build of Python is not known to the loops of jounce: Numba compiles %r here", self.name)
             return {}, _by_numba(self.name)
@@ -84,21 +84,21 @@ class Loop:
 
     @once
     def _call(self) -> Callable[[tuple[Any, ...]], int]:
-        return self._loaded[1]
+        return self._load[1]
 
     def _refusal(self, code: int, arguments: tuple[Any, ...]) -> Exception:
         if code == FAILED:
             return RuntimeError(f"the loop {self.name!r} failed")
-        path, wanted = self._loaded[0]["leaves"][-1 - code]
+        path, wanted = self._load[0]["leaves"][-1 - code]
         value: Any = arguments
         with contextlib.suppress(Exception):
             for place, _ in path:
                 value = value[place]
         where = ".".join(name for _, name in path) or "arguments"
-        return TypeError(f"loop {self.name!r}: {where} is {_described(value)}, allowed is {wanted}")
+        return TypeError(f"loop {self.name!r}: {where} is {_describe(value)}, allowed is {wanted}")
 
 
-def _described(value: Any) -> str:
+def _describe(value: Any) -> str:
     if type(value) is not np.ndarray:
         return f"{type(value).__name__} of {len(value)}" if isinstance(value, tuple) else type(value).__name__
     flags = value.flags
@@ -145,7 +145,7 @@ def objects_are_known() -> bool:
 def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     """Load the code of a loop from the first source that works."""
     sources: tuple[Callable[[], bytes | None], ...] = (
-        lambda: _shipped(name, platform),
+        lambda: _read_shipped(name, platform),
         lambda: recall(key_here(f"loop {name}")),
     )
     for read in sources:
@@ -154,7 +154,7 @@ def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], i
             if content is not None:
                 return _ready(content)
     try:
-        return _ready(_compiled(name, platform))
+        return _ready(_compile(name, platform))
     except JounceError:  # Numba is missing
         raise
     except Exception as error:  # noqa: BLE001 - LLVM raises RuntimeError, ValueError and OSError here
@@ -165,7 +165,7 @@ def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], i
 def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     for symbol in PYTHON:
         llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
-    head, code = parted(content)
+    head, code = split(content)
     address, facts = MachineCode([code], (ENTRY,)).address[ENTRY], _facts()
     function, place = _PROTOTYPE(address), ctypes.addressof(facts)
 
@@ -176,7 +176,7 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     return head, call
 
 
-def _shipped(name: str, platform: str) -> bytes | None:
+def _read_shipped(name: str, platform: str) -> bytes | None:
     if not _suits(platform):
         return None
     return read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of(*SOURCES), platform))
@@ -190,16 +190,16 @@ def _suits(platform: str) -> bool:
     return all(features().get(feature, False) for feature in PLATFORMS[platform].needs)
 
 
-def _compiled(name: str, platform: str) -> bytes:
+def _compile(name: str, platform: str) -> bytes:
     """Compile the bitcode of a loop (made from its sources if none was shipped), and store the object."""
     content = read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)))
     with contextlib.suppress(Exception):  # for example bitcode of a newer LLVM
         if content is not None:
-            return _kept_object(content, name, platform)
-    return _kept_object(bitcode_from_sources(name), name, platform)
+            return _compile_and_store(content, name, platform)
+    return _compile_and_store(bitcode_from_sources(name), name, platform)
 
 
-def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
+def _compile_and_store(bitcode: bytes, name: str, platform: str) -> bytes:
     """Compile the object of a loop, and store it beside its sources if possible, else in the user's cache."""
     if _suits(platform):
         content = object_for(bitcode, PLATFORMS[platform])
@@ -247,10 +247,10 @@ def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
         triple = platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
         target = llvm.Target.from_triple(triple)
         machine = target.create_target_machine(cpu=platform.processor, opt=3, jit=True)
-    head, code = parted(bitcode)
+    head, code = split(bitcode)
     module = llvm.parse_bitcode(code)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    return joined(head, machine_code(module, machine, 2))
+    return join(head, machine_code(module, machine, 2))
 
 
 def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:

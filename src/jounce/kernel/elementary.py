@@ -75,10 +75,10 @@ class _Arithmetic:
 
     def polynomial(self, x: ir.Value, coefficients: Sequence[float]) -> ir.Value:
         """Value of a polynomial by Horner's rule."""
-        found: ir.Value | float = coefficients[0]
+        value: ir.Value | float = coefficients[0]
         for coefficient in coefficients[1:]:
-            found = self.add(self.multiply(found, x), coefficient)
-        return found
+            value = self.add(self.multiply(value, x), coefficient)
+        return value
 
 
 def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value, ir.Value]:
@@ -95,9 +95,9 @@ def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value,
     within = of.subtract(quarters, of.multiply(call("floor", [of.multiply(quarters, 0.25)]), 4.0))  # 0, 1, 2, 3
     first, second, third = (b.fcmp_ordered("==", within, of.of(float(k))) for k in (1, 2, 3))
     crossed = b.or_(first, third)
-    found = b.select(crossed, cosine, sine), b.select(crossed, sine, cosine)
+    unsigned = b.select(crossed, cosine, sine), b.select(crossed, sine, cosine)
     negative = b.or_(second, third), b.or_(first, second)
-    return tuple(b.select(turn, b.fneg(value), value) for turn, value in zip(negative, found, strict=True))
+    return tuple(b.select(turn, b.fneg(value), value) for turn, value in zip(negative, unsigned, strict=True))
 
 
 def angle_of(b: ir.IRBuilder, call: Call, y: ir.Value, x: ir.Value) -> ir.Value:
@@ -113,10 +113,10 @@ def angle_of(b: ir.IRBuilder, call: Call, y: ir.Value, x: ir.Value) -> ir.Value:
     ratio = b.fdiv(above, b.select(nowhere, of.of(1.0), below))
     square = of.multiply(ratio, ratio)
     quotient = b.fdiv(of.polynomial(square, _ABOVE), of.polynomial(square, _BELOW))
-    found = of.add(ratio, of.multiply(of.multiply(ratio, square), quotient))
-    found = b.select(turned, of.add(of.add(found, _LACKS), _EIGHTH), found)
-    found = b.select(steep, of.add(of.subtract(2.0 * _LACKS, found), _HALF), found)
-    behind = of.add(of.subtract(4.0 * _LACKS, found), 2.0 * _HALF)
+    angle = of.add(ratio, of.multiply(of.multiply(ratio, square), quotient))
+    angle = b.select(turned, of.add(of.add(angle, _LACKS), _EIGHTH), angle)
+    angle = b.select(steep, of.add(of.subtract(2.0 * _LACKS, angle), _HALF), angle)
+    behind = of.add(of.subtract(4.0 * _LACKS, angle), 2.0 * _HALF)
     sign = call("copysign", [of.of(1.0), x])  # that of a zero too
-    found = b.select(b.fcmp_ordered("<", sign, zero), behind, found)
-    return call("copysign", [found, y])
+    angle = b.select(b.fcmp_ordered("<", sign, zero), behind, angle)
+    return call("copysign", [angle, y])

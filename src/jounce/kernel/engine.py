@@ -321,7 +321,7 @@ class Work(NamedTuple):
 def scratch(problem: Problem, control: Control, nodes: Array, systems: int = 1) -> Work:
     """Make the arrays that steps of so many systems need, with some nodes (fractions of a step, the probes last)."""
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
-    told = 2 * systems
+    extra_rows = 2 * systems
     rows = np.zeros((ROWS, size))
     rows[STATE] = problem.x0
     return Work(
@@ -336,7 +336,7 @@ def scratch(problem: Problem, control: Control, nodes: Array, systems: int = 1) 
         np.zeros((1, 2)),
         np.zeros((1, switches * (n + size // n))),
         control.scale.copy(),
-        np.zeros((1, size + told)),
+        np.zeros((1, size + extra_rows)),
         np.zeros((problem.inputs, 1)),
         np.zeros(2, dtype=np.int64),
     )

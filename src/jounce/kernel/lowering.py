@@ -189,7 +189,7 @@ class Lowering:
 
     def _one_by_one(self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Packed) -> None:
         first, count = native.args[6:]
-        with _repeated(builder, first, builder.add(first, count)) as sample:
+        with _loop(builder, first, builder.add(first, count)) as sample:
 
             def place(argument: int, element: int) -> ir.Value:
                 return self._sample(builder, native, (argument, element), 1, _INDEX(0), sample)
@@ -219,7 +219,7 @@ class Lowering:
             with enough:
                 last = builder.sub(builder.add(first, count), size)
                 vectors = builder.udiv(builder.add(count, _INDEX(width - 1)), size)
-                with _repeated(builder, _INDEX(0), _INDEX(wide)) as system, _repeated(builder, _INDEX(0), vectors) as k:
+                with _loop(builder, _INDEX(0), _INDEX(wide)) as system, _loop(builder, _INDEX(0), vectors) as k:
                     sample = builder.add(first, builder.mul(k, size))
                     sample = builder.select(builder.icmp_signed("<", sample, last), sample, last)
 
@@ -243,12 +243,12 @@ class Lowering:
         def copy(argument: int, to: ir.Value, step: ir.Value, of: ir.Value, step_of: ir.Value) -> None:
             builder.call(self._copy, [to, step, of, step_of, _INDEX(rows[argument])])
 
-        with _repeated(builder, _INDEX(0), size) as k:
+        with _loop(builder, _INDEX(0), size) as k:
             sample = builder.add(first, builder.select(builder.icmp_signed("<", k, count), k, _INDEX(0)))
             for i, array in ((0, x), (1, u)):
                 copy(i, builder.gep(buffers[i], [k]), size, builder.gep(array, [sample]), total)
         builder.call(native, [buffers[0], buffers[1], p, m, buffers[4], size, _INDEX(0), size])
-        with _repeated(builder, _INDEX(0), count) as k:
+        with _loop(builder, _INDEX(0), count) as k:
             copy(4, builder.gep(out, [builder.add(first, k)]), total, builder.gep(buffers[4], [k]), size)
 
     @cached_property
@@ -261,7 +261,7 @@ class Lowering:
         native.attributes.add("noinline")
         to, step, of, step_of, count = native.args
         builder = Builder(native.append_basic_block())
-        with builder.if_then(builder.icmp_signed("<", _INDEX(0), count)), _repeated(builder, _INDEX(0), count) as k:
+        with builder.if_then(builder.icmp_signed("<", _INDEX(0), count)), _loop(builder, _INDEX(0), count) as k:
             value = builder.load(builder.gep(of, [builder.mul(k, step_of)]))
             builder.store(value, builder.gep(to, [builder.mul(k, step)]))
         builder.ret_void()
@@ -520,7 +520,7 @@ _FEW = 8
 
 
 @contextmanager
-def _repeated(builder: ir.IRBuilder, first: ir.Value, end: ir.Value) -> Iterator[ir.Value]:
+def _loop(builder: ir.IRBuilder, first: ir.Value, end: ir.Value) -> Iterator[ir.Value]:
     """Emit a loop over the integers ``first <= number < end``; it runs at least once."""
     before, loop = builder.block, builder.append_basic_block("loop")
     builder.branch(loop)
@@ -584,7 +584,7 @@ class _Native:
     def lane(self, vector: ir.Value, lane: int) -> ir.Value:
         return self.builder.extract_element(vector, ir.IntType(32)(lane))
 
-    def gathered(self, values: list[ir.Value]) -> ir.Value:
+    def gather(self, values: list[ir.Value]) -> ir.Value:
         kind = ir.VectorType(_DOUBLE, len(values))
         if all(value is values[0] for value in values):
             return _spread(self.builder, values[0], kind)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from jounce.core.phrases import Phrase
 from jounce.core.waiting import report_work
 from jounce.kernel.apart import compile_in_child
-from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
+from jounce.kernel.cache import join, keep, key_here, recall, split, why_not_kept
 from jounce.kernel.call import Loop
 from jounce.kernel.machine import IN_LLVM, MachineCode, machine_code, this_machine
 
@@ -82,10 +82,10 @@ def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None
     for name, function in functions.items():
         graph, form = (function, "()") if isinstance(function, ca.Function) else (function.function, function.form)
         digest.update(f"\n{name} {form}\n{graph.serialize()}".encode())
-    return kept_code(digest.hexdigest(), lambda: Source(functions, step))[0]
+    return code_from_cache(digest.hexdigest(), lambda: Source(functions, step))[0]
 
 
-def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
+def code_from_cache(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     """Return native code and the notes of its source from the cache, or compile and store them.
 
     ``identity`` covers everything that the code depends on, except this processor, the kernel and versions of the
@@ -114,7 +114,7 @@ def _compile_entry(make: Callable[[], Source]) -> bytes:
     with IN_LLVM:
         objects = _emit(source.functions, source.step)
     head = {"names": names, "notes": source.notes, "sizes": [len(code) for code in objects]}
-    return joined(head, b"".join(objects))
+    return join(head, b"".join(objects))
 
 
 @contextlib.contextmanager
@@ -133,7 +133,7 @@ def _without_garbage_collection() -> Iterator[None]:
 
 
 def _load(content: bytes) -> tuple[Native, str]:
-    head, code = parted(content)
+    head, code = split(content)
     ends = [0, *accumulate(head["sizes"])]
     objects = (code[begin:end] for begin, end in pairwise(ends))
     return Native(objects, tuple(head["names"])), str(head["notes"])
@@ -161,13 +161,13 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
         step.add(often)
     # Without a step there are tens of poses, not thousands of samples: vectorising does not pay, and the attempt
     # takes half the time (2 of 4 s for the slopes of a corner along six coordinates of its hardpoints).
-    objects = [machine_code(_parsed(often), this_machine(), 3, vectors=step is not None)]
+    objects = [machine_code(_parse(often), this_machine(), 3, vectors=step is not None)]
     if not SELDOM.isdisjoint(functions):
-        objects.append(bytes(this_machine(0).emit_object(_parsed(seldom))))
+        objects.append(bytes(this_machine(0).emit_object(_parse(seldom))))
     return objects
 
 
-def _parsed(lowering: Lowering) -> Any:
+def _parse(lowering: Lowering) -> Any:
     """Parse the module by LLVM; llvmlite's own blocks and instructions, which form reference cycles, are released."""
     module = llvm.parse_assembly(str(lowering.module))
     for function in lowering.module.functions:

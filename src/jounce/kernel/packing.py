@@ -116,12 +116,12 @@ class Graph:
                 name, mask = labels[node.leaf[0]][node.leaf[1]]
                 self._call(i, ("leaf", node.leaf[0], name), mask)
             else:
-                self._call(i, *self._combined(i, node))
+                self._call(i, *self._combine(i, node))
         self._gather()
         # A node that one part has and the others lack (a leading corner's sign, the last term of a sum over corners)
         # cannot be a lane. Treating it as a scalar changes the shapes of all nodes that depend on it, which are
         # computed again.
-        while scalars := self._unmatched():
+        while scalars := self._unmatched_nodes():
             self._numbers |= scalars
             self._update_shapes(scalars)
             self._gather()
@@ -144,7 +144,7 @@ class Graph:
             if i in numbers or not changed.isdisjoint(node.operands):
                 was_sum = i in self._sums
                 self._sums.discard(i)
-                if self._call(i, *self._combined(i, node)) or was_sum != (i in self._sums):
+                if self._call(i, *self._combine(i, node)) or was_sum != (i in self._sums):
                     changed.add(i)
 
     def _gather(self) -> None:
@@ -164,7 +164,7 @@ class Graph:
         self._complete: list[int] = complete.tolist()
         self._incomplete = own[complete[shapes[own]] & masks[own] == 0]
 
-    def _combined(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
+    def _combine(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
         """Return shape and parts of an operation."""
         mask, every = SHARED, 0
         for operand in node.operands:
@@ -187,7 +187,7 @@ class Graph:
             return ("mixed", *shape), every
         return ("number", i), SHARED
 
-    def _unmatched(self) -> set[int]:
+    def _unmatched_nodes(self) -> set[int]:
         """Return nodes of one part that the others lack, the first on each path (as at the end of sums over parts)."""
         unmatched, touched = set[int](), set[int]()
         incomplete = {i for i in self._incomplete.tolist() if self.nodes[i].operands}
@@ -247,7 +247,7 @@ class Writer(Protocol):
     def lane(self, vector: Any, lane: int) -> Any:
         """Emit the extraction of a lane."""
 
-    def gathered(self, values: list[Any]) -> Any:
+    def gather(self, values: list[Any]) -> Any:
         """Emit a vector of scalars."""
 
 
@@ -310,7 +310,7 @@ class Emission:
     def _make(self, item: tuple[Any, ...]) -> Any:
         graph, writer = self._graph, self._writer
         if item[0] == "spread":
-            return writer.gathered([self._emitted["number", item[1]]] * item[2])
+            return writer.gather([self._emitted["number", item[1]]] * item[2])
         if item[0] == "vector":
             return self._vector(item[1], item[2])
         node = graph.nodes[item[1]]
@@ -329,16 +329,16 @@ class Emission:
         node = graph.members[shape][group[0]]
         first = graph.nodes[node]
         if graph.is_mixed(node):
-            return writer.gathered([self._emitted["number", i] for i in graph.lanes(shape, group)])
+            return writer.gather([self._emitted["number", i] for i in graph.lanes(shape, group)])
         if first.operation == "OP_INPUT":
             leaves = [graph.nodes[i].leaf for i in graph.lanes(shape, group)]
             offset = self._table.get(tuple(element for _, element in leaves))
             if leaves[0][0] == 2 and offset is not None:
                 return writer.load_wide(offset, len(group))
-            return writer.gathered([writer.load(*leaf) for leaf in leaves])
+            return writer.gather([writer.load(*leaf) for leaf in leaves])
         operands = [self._emitted[item] for item in self._operands(node, group)]
         vector = writer.wide(first.operation, operands)
         if vector is not None:
             return vector
         each = [[writer.lane(value, k) for value in operands] for k in range(len(group))]
-        return writer.gathered([writer.scalar(first.operation, values) for values in each])
+        return writer.gather([writer.scalar(first.operation, values) for values in each])

@@ -65,7 +65,7 @@ def space_for(walk: Walk, outputs: int) -> tuple[Found, Work]:
     """Make the arrays of a walk; ``outputs`` is how many each pose has."""
     count, tracks = walk.targets.shape
     size = len(walk.start)
-    found = Found(
+    results = Found(
         np.full((size, count), np.nan),
         np.full((tracks, count), np.nan),
         np.zeros((size * tracks, count)),
@@ -74,18 +74,18 @@ def space_for(walk: Walk, outputs: int) -> tuple[Found, Work]:
         np.zeros(count),
     )
     work = Work(np.zeros((4, size)), np.zeros(tracks), np.zeros((1, size * (1 + tracks) + 1)), np.zeros(1))
-    return found, work
+    return results, work
 
 
-def walk_poses(walk: Walk, found: Found, work: Work) -> None:
+def walk_poses(walk: Walk, results: Found, work: Work) -> None:
     """Find all targets and their outputs."""
-    _walk(walk, found, work)
+    _walk(walk, results, work)
 
 
 def walk_variants(
     walk: Walk,
     variants: Matrix,
-    found: Found,
+    results: Found,
     work: Work,
     place: Integers,
     chosen: Integers,
@@ -96,4 +96,4 @@ def walk_variants(
     ``out`` has the shape (chosen outputs, variants, targets) and gets target ``i`` at ``place[i]``, NaN where a target
     is out of reach.
     """
-    _walk_variants(walk, variants, found, work, place, chosen, out)
+    _walk_variants(walk, variants, results, work, place, chosen, out)

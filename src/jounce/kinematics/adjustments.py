@@ -256,7 +256,7 @@ def write_setting(value: float, unit: str) -> str:
     return f"{value * factor:.4g} {name}"
 
 
-def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
+def apply_adjustments(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     """Return the rig with some adjustments applied.
 
     Parameters
@@ -285,7 +285,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     --------
     >>> import numpy as np
     >>> import jounce as jn
-    >>> rig = adjusted(jn.load("kart-double-wishbone"), {"upper_arm_length": "20 mm"})
+    >>> rig = apply_adjustments(jn.load("kart-double-wishbone"), {"upper_arm_length": "20 mm"})
     >>> round(float(np.degrees(rig.wheel.camber)), 1)   # the paper gives 5 deg
     5.2
     """

@@ -64,7 +64,7 @@ def _centre_lead(view: CornerView) -> ca.SX:
     return view.steering_axis.leads(view.centre.value)
 
 
-def _held_lead(view: CornerView) -> ca.SX:
+def _rack_lead(view: CornerView) -> ca.SX:
     return view.held_axis.leads(view.contact)
 
 
@@ -275,10 +275,10 @@ CATALOGUE: tuple[Quantity, ...] = (
         lambda v: _inclination_of(v.held_axis), "positive: top inboard", needs="rack strut"),
     Quantity("caster_trail_held_spring", "m",
         "caster trail, vehicle's axes, of the screw that the rack makes at held spring length",
-        lambda v: _held_lead(v)[0], "positive: axis meets the ground ahead of the contact point", needs="rack strut"),
+        lambda v: _rack_lead(v)[0], "positive: axis meets the ground ahead of the contact point", needs="rack strut"),
     Quantity("scrub_radius_held_spring", "m",
         "kingpin offset at the ground, vehicle's axes, of the screw that the rack makes at held spring length",
-        lambda v: -_held_lead(v)[1], "positive: axis meets the ground inboard of the contact point",
+        lambda v: -_rack_lead(v)[1], "positive: axis meets the ground inboard of the contact point",
         needs="rack strut"),
     Quantity("wheel_centre_x", "m", "wheel centre, x", lambda v: v.centre.value[0], "positive: forward"),
     Quantity("wheel_centre_y", "m", "wheel centre, y", lambda v: v.side * v.centre.value[1], "positive: left"),

@@ -26,7 +26,7 @@ class _Joint:
     bend: float
     pin: float
 
-    def turned(self, angle: Array) -> tuple[Array, Array]:
+    def angle_behind(self, angle: Array) -> tuple[Array, Array]:
         """Rotation of the second shaft for one of the first (rad), and its slope."""
         start = _behind(np.asarray(self.pin), self.bend)
         at = angle + self.pin
@@ -80,7 +80,7 @@ def pinion_angle(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
     """Angle of the pinion (rad) for an angle of the handwheel (rad), and its slope [1]; both positive to the left."""
     angle, slope = -np.asarray(handwheel, dtype=float), np.ones_like(handwheel, dtype=float)
     for joint in [] if steering.column is None else _joints(steering.column):
-        angle, further = joint.turned(angle)
+        angle, further = joint.angle_behind(angle)
         slope = slope * further
     return -angle, slope
 

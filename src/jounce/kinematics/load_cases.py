@@ -390,12 +390,12 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
     return 0.5 * (low + high), []
 
 
-def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) -> str:
+def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) -> str:
     """Load cases as CSV, one row for each case and wheel, SI.
 
     Parameters
     ----------
-    found : xarray.Dataset
+    loads : xarray.Dataset
         As :func:`load_cases` gives it.
     quantities : sequence of str, optional
         Columns; all by default.
@@ -414,16 +414,16 @@ def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) 
     >>> jn.load_case_table(jn.load_cases(jn.load("formula-student-front"), car)).splitlines()[0][:32]
     'case,wheel,longitudinal_force [N'
     """
-    if not {"case", "wheel"} <= set(found.coords):
+    if not {"case", "wheel"} <= set(loads.coords):
         raise DescriptionError("no load cases", where="found", allowed="what jn.load_cases(...) gives")
-    names = list(map(str, quantities or found.data_vars))
+    names = list(map(str, quantities or loads.data_vars))
     for name in names:
-        if name not in found.data_vars:
-            raise unknown(name, map(str, found.data_vars), what="quantity", where="quantities")
-    rows = [",".join(["case", "wheel", *(f"{name} [{found[name].attrs['units']}]" for name in names)])]
-    for case in found["case"].to_numpy():
-        for wheel in found["wheel"].to_numpy():
-            forces: Any = found.sel(case=case, wheel=wheel)
+        if name not in loads.data_vars:
+            raise unknown(name, map(str, loads.data_vars), what="quantity", where="quantities")
+    rows = [",".join(["case", "wheel", *(f"{name} [{loads[name].attrs['units']}]" for name in names)])]
+    for case in loads["case"].to_numpy():
+        for wheel in loads["wheel"].to_numpy():
+            forces: Any = loads.sel(case=case, wheel=wheel)
             label = guard_formula(str(case).replace('"', "'"))
             rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(forces[name])) for name in names)]))
     return "\n".join([*rows, ""])

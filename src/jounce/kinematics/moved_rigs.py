@@ -28,7 +28,7 @@ def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
         raise DescriptionError("out of reach", where="wheel travel", found=sweep.attrs["stopped"])
     names = rig.hardpoints.given()
     return [
-        moved_rig(rig, {name: tuple(float(sweep[f"{name}.{axis}"][i]) for axis in "xyz") for name in names})  # type: ignore[misc]
+        rig_with_hardpoints(rig, {name: tuple(float(sweep[f"{name}.{axis}"][i]) for axis in "xyz") for name in names})  # type: ignore[misc]
         for i in range(len(travels))
     ]
 
@@ -37,7 +37,7 @@ Motion = tuple[Array, Array]
 """Rotation (3, 3) and shift (3,) of a body, m."""
 
 
-def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = None) -> C:
+def rig_with_hardpoints(rig: C, places: Mapping[str, Triple], upright: Motion | None = None) -> C:
     """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
 
     Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move

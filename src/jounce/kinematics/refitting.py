@@ -16,7 +16,7 @@ import numpy as np
 
 from jounce.core.errors import AssemblyError
 from jounce.core.types import Array
-from jounce.kinematics.moved_rigs import moved_rig, rigid_motion
+from jounce.kinematics.moved_rigs import rig_with_hardpoints, rigid_motion
 from jounce.mechanics import Mechanism, Model, assemble
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
@@ -60,7 +60,7 @@ def refit(rig: C, changes: Changes) -> C:
         places |= _rocker_places(rig, given, places, changes.pushrod)
     if rig.anti_roll_bar is not None:
         places |= _bar_places(rig, given, places)
-    return moved_rig(rig, places, (turn, shift) if changes.shims else None)
+    return rig_with_hardpoints(rig, places, (turn, shift) if changes.shims else None)
 
 
 def has_rocker(rig: Corner) -> bool:

@@ -17,7 +17,7 @@ from jounce.mechanics.contact import towards_road
 from jounce.mechanics.driven import Quasistatic
 from jounce.mechanics.elements import curve_force, damper_force
 from jounce.mechanics.frames import Moving
-from jounce.mechanics.rotations import turned, unit
+from jounce.mechanics.rotations import rotate, unit
 from jounce.models.attachments import (
     bar_angle,
     bar_axis,
@@ -351,7 +351,7 @@ class CornerView:
         hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, bar_axis(self.linkage)
         pivot = hardpoint("arb_pivot")
         arm = hardpoint("arb_arm_end") - pivot
-        points = {"arb_arm_end": pivot + turned(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
+        points = {"arb_arm_end": pivot + rotate(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
         if self._is_t_bar:
             stem = hardpoint("arb_axis") - pivot
             points["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
@@ -382,7 +382,7 @@ class CornerView:
     def _stem(self) -> ca.SX:
         """Direction of a T-bar's stem, hinged with the bar."""
         design = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
-        return turned(design, bar_axis(self.linkage), self.bar_angle)
+        return rotate(design, bar_axis(self.linkage), self.bar_angle)
 
     @property
     def _bar_link(self) -> ca.SX:

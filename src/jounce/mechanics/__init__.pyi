@@ -34,7 +34,7 @@ from .joints import Screw as Screw
 from .joints import Spherical as Spherical
 from .joints import Universal as Universal
 from .mass import box as box
-from .mass import combined as combined
+from .mass import combine_solids as combine_solids
 from .mass import cylinder as cylinder
 from .mass import mesh as mesh
 from .mass import sphere as sphere

@@ -119,7 +119,7 @@ class NamedPart:
                         allowed=f"{word.replace('_', ' ')} {limit:g} {unit}",
                     )
 
-    def listed(self, write: Write) -> dict[str, Plain]:
+    def to_plain(self, write: Write) -> dict[str, Plain]:
         """Name, kind, bodies, numbers, laws and their units as plain data."""
         units: dict[str, Plain] = {}
         result: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}

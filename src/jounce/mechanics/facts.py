@@ -25,13 +25,13 @@ def speed_of(coordinate: str) -> str:
     return f"{place}{dot}{f'v{word}' if word in ('x', 'y', 'z') else f'{word}_rate'}"
 
 
-def moved_by(speed: str) -> str:
+def motion_of_speed(speed: str) -> str:
     """Name of the motion that has a speed: the coordinate, where the speed is its rate.
 
     Examples
     --------
-    >>> moved_by("body.vz"), moved_by("body.pitch_rate"), moved_by("lower_arm.angle rate"), moved_by("ball_joint.wx")
-    ('body.z', 'body.pitch', 'lower_arm.angle', 'ball_joint.wx')
+    >>> [motion_of_speed(name) for name in ("body.vz", "body.pitch_rate", "lower_arm.angle rate", "ball_joint.wx")]
+    ['body.z', 'body.pitch', 'lower_arm.angle', 'ball_joint.wx']
     """
     place, dot, word = speed.rpartition(".")
     if word in ("vx", "vy", "vz"):

@@ -48,7 +48,7 @@ class Reading:
         result = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
         return np.asarray(result.full(), dtype=np.float64).squeeze()
 
-    def known(self, description: NamedPart) -> Known:
+    def numbers_of(self, description: NamedPart) -> Known:
         """Numbers of a description's fields, NaN where they are not known."""
 
         def value_of(field: str) -> Array:
@@ -119,7 +119,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
         "gravity": write(mechanism.gravity),
         "bodies": [_body(body, write) for body in mechanism.bodies.values() if body is not mechanism.ground],
         "joints": [
-            hung.joint.listed(write)
+            hung.joint.to_plain(write)
             | {
                 "carries": hung.child.name,
                 "coordinates": _with_units(mechanism, (*hung.coordinates, *hung.quaternion)),
@@ -128,7 +128,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for hung in mechanism.hanging.values()
         ],
         "closures": [
-            closed.joint.listed(write)
+            closed.joint.to_plain(write)
             | {
                 "loop": list(loops[name]),
                 "equations": [
@@ -151,9 +151,9 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for condition, _ in mechanism.conditions.values()
         ],
         "loads": [
-            load.listed(write) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
+            load.to_plain(write) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
             if action.along
-            else load.listed(write)
+            else load.to_plain(write)
             for load, action in mechanism.loads
         ],
         "tracks": list(collection.tracks),
@@ -165,7 +165,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
         "parameters": {
             path: {"value": read.value(path), "unit": mechanism.units.get(path, "")} for path in collection.parameters
         },
-        "watched": [watch.listed(write) for watch in watched],
+        "watched": [watch.to_plain(write) for watch in watched],
         "outputs": [
             {"name": output.name, "unit": output.unit, "long_name": output.long_name} for output in collection.outputs
         ],

@@ -206,7 +206,7 @@ def _read(trimesh: ModuleType, file: Path) -> Any:
     return result
 
 
-def combined(*solids: SolidMass) -> SolidMass:
+def combine_solids(*solids: SolidMass) -> SolidMass:
     """Return the mass properties of several solids as one body.
 
     Parameters

@@ -235,7 +235,7 @@ class Mechanism(Structure):
         closes = first.is_placed and second.is_placed
         if closes and not joint.closes:
             text, hint = joint.refusal
-            raise AssemblyError(text, where=self.placed(name), found=second.name, hint=hint)
+            raise AssemblyError(text, where=self.name_at_place(name), found=second.name, hint=hint)
         for track in (value for value in vars(joint).values() if isinstance(value, Track)):
             self._check_track(name, track)
         described = joint.with_symbols(self)
@@ -504,7 +504,7 @@ class Mechanism(Structure):
         action = described.action(self)
         self._check_laws(load.name or load.kind, action.power)
         self.collection.loads.extend(action.power)
-        self.loads.append((replace(described, name=self.placed(load.name)), action))
+        self.loads.append((replace(described, name=self.name_at_place(load.name)), action))
         return action
 
     def _check_laws(self, name: str, power: Iterable[tuple[ca.SX, ca.SX]]) -> None:
@@ -855,12 +855,12 @@ class Mechanism(Structure):
     @all_or_nothing
     def _see(self, watch: OutputDescription) -> None:
         """Add an output; coordinates and energies only once."""
-        key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
+        key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.name_at_place(watch.name)}"
         if key in self.watched and watch.name != watch.kind:
-            raise AssemblyError("the name is used twice", where=self.placed(watch.name))
+            raise AssemblyError("the name is used twice", where=self.name_at_place(watch.name))
         described = watch.with_symbols(self)
         self.watched[key] = replace(
-            described, name=described.name if described.name == described.kind else self.placed(described.name)
+            described, name=described.name if described.name == described.kind else self.name_at_place(described.name)
         )
         self._refuse_clashes()
 
@@ -935,7 +935,7 @@ class Mechanism(Structure):
         """Let descriptions check their numbers."""
         reading = listing.Reading(self, values)
         for each in things:
-            each.check(reading.known(each))
+            each.check(reading.numbers_of(each))
             for axis in (field.name for field in fields(each) if field.metadata.get("read") == "direction"):
                 numbers = reading.numbers(getattr(each, axis))
                 if numbers is not None and not np.all(np.isfinite(numbers)):
@@ -1160,7 +1160,7 @@ class Mechanism(Structure):
             return
         power = outputs.total(ca.dot(rate, force) for rate, force in self.collection.loads)
         taken = self.internal_state(BALANCE)
-        self.set_internal_rate(BALANCE, power + outputs.total(self.supplied()))
+        self.set_internal_rate(BALANCE, power + outputs.total(self.supplied_powers()))
         self.output(BALANCE, self.kinetic_energy() - taken, "J", "kinetic energy less the work of all forces")
 
     def _numbers(self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]) -> tuple[Array, Array]:

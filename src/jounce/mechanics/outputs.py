@@ -149,7 +149,7 @@ class WatchedEnergy(OutputDescription):
                 [power for action in actions for power in action.lost],
                 "energy lost in dampers since the start",
             ),
-            ("energy.supplied", mechanism.supplied(), "energy put in by motions since the start"),
+            ("energy.supplied", mechanism.supplied_powers(), "energy put in by motions since the start"),
         ):
             if powers:
                 taken = mechanism.internal_state(name)

@@ -36,7 +36,7 @@ def unit(a: ca.SX) -> ca.SX:
     return a / ca.sqrt(ca.dot(a, a))
 
 
-def turned(vector: ca.SX, axis: ca.SX, angle: ca.SX) -> ca.SX:
+def rotate(vector: ca.SX, axis: ca.SX, angle: ca.SX) -> ca.SX:
     """Vector turned about a unit axis, right-handed, rad."""
     along = ca.dot(axis, vector) * axis
     return along + (vector - along) * ca.cos(angle) + ca.cross(axis, vector) * ca.sin(angle)

@@ -133,7 +133,7 @@ class Structure(System):
         """Return the time derivative of an expression of coordinates, points of bodies and tracks."""
         return super().rate_of(self.poses.resolve(expression_of(expression, "rate")))
 
-    def supplied(self) -> list[ca.SX]:
+    def supplied_powers(self) -> list[ca.SX]:
         """Powers of the motions that tracks prescribe, W."""
         tracks = self.collection.tracks.values()
         values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))

@@ -88,7 +88,7 @@ class System:
         self.collection.constants[name] = ca.SX.sym(name), value
         return self.collection.constants[name][0]
 
-    def placed(self, name: str) -> str:
+    def name_at_place(self, name: str) -> str:
         """Return a name prefixed with the place under construction."""
         return self._scope[0] + name
 
@@ -112,16 +112,16 @@ class System:
     def coordinate_named(self, name: str) -> ca.SX:
         """Return the symbol of a coordinate."""
         known = self.collection.coordinates
-        if self.placed(check_name(name, "coordinate")) not in known:
+        if self.name_at_place(check_name(name, "coordinate")) not in known:
             raise unknown(name, known, what="coordinate")
-        return known[self.placed(name)]
+        return known[self.name_at_place(name)]
 
     def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
         """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); return the symbols of both."""
         first = len(self.collection.coordinates)
         names, speeds = [f"{name}.e{i}" for i in range(4)], [f"{name}.w{axis}" for axis in "xyz"]
         e, w = self._symbols_of(names, ["1"] * 4, (1.0, 0.0, 0.0, 0.0), speeds, ["rad/s"] * 3)
-        self.collection.quaternions[self.placed(name)] = first
+        self.collection.quaternions[self.name_at_place(name)] = first
         self.collection.rates.append(quaternion_rate(e, w))
         return e, w
 
@@ -152,7 +152,7 @@ class System:
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
         """Set the rate of an internal state."""
-        name, known = self.placed(check_name(name, "internal state")), self.collection.internal
+        name, known = self.name_at_place(check_name(name, "internal state")), self.collection.internal
         if name not in known:
             raise unknown(name, known, what="internal state")
         known[name] = (known[name][0], expression_of(rate, f"rate of {name}"))
@@ -242,7 +242,7 @@ class System:
 
     def _require_unused(self, name: str, names: Container[str]) -> str:
         """Put the place before a name, and refuse a name that is used already."""
-        name = self.placed(check_name(name))
+        name = self.name_at_place(check_name(name))
         _refuse_twice(name, names)
         return name
 

@@ -39,14 +39,14 @@ def controlled_force(
         force = _active(system, actuator, command)
         total = force if actuator.replaces_damper else passive() + force
     elif isinstance(actuator, SemiActiveDamper):
-        force = total = _arrived(system, actuator.lag > 0.0, "actuator.coefficient", command) * velocity
+        force = total = _lagged_command(system, actuator.lag > 0.0, "actuator.coefficient", command) * velocity
     else:
         force = total = _magnetorheological(system, actuator, command, deflection, velocity)
     system.output("actuator.force", force, "N", "force of the actuator, compression positive")
     return total
 
 
-def replaced(
+def element_force(
     system: System, actuator: AnyActuator | None, what: Replaced, own: ca.SX, rate: ca.SX, acting: ca.SX | float = 1.0
 ) -> ca.SX:
     """Force (N, compression positive) of an element, where an actuator is in its place: its own and the command.
@@ -67,10 +67,10 @@ def replaced(
 
 
 def replaced_tyre(system: System, actuator: AnyActuator | None, rate: ca.SX) -> Callable[[ca.SX, ca.SX], ca.SX] | None:
-    """:func:`replaced` for a tyre, in the form of ``tyre_force``; None if the tyre keeps its own force."""
+    """:func:`element_force` for a tyre, in the form of ``tyre_force``; None if the tyre keeps its own force."""
     if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != "tyre":
         return None
-    return lambda own, acting: replaced(system, actuator, "tyre", own, rate, acting)
+    return lambda own, acting: element_force(system, actuator, "tyre", own, rate, acting)
 
 
 _COMMANDS = {
@@ -80,7 +80,7 @@ _COMMANDS = {
 }
 
 
-def _arrived(system: System, lags: bool, name: str, command: ca.SX) -> ca.SX:
+def _lagged_command(system: System, lags: bool, name: str, command: ca.SX) -> ca.SX:
     """A command after a first-order lag, or without delay."""
     if not lags:
         return command
@@ -91,7 +91,7 @@ def _arrived(system: System, lags: bool, name: str, command: ca.SX) -> ca.SX:
 
 def _active(system: System, actuator: ActiveActuator, command: ca.SX) -> ca.SX:
     if actuator.bandwidth is None:
-        return _arrived(system, actuator.lag > 0.0, "actuator.force", command)
+        return _lagged_command(system, actuator.lag > 0.0, "actuator.force", command)
     force, rate = system.internal_state("actuator.force"), system.internal_state("actuator.force rate")
     frequency = 2.0 * ca.pi * system.parameter("actuator.bandwidth")
     damping = 2.0 * system.parameter("actuator.damping_ratio") * frequency
@@ -103,7 +103,7 @@ def _active(system: System, actuator: ActiveActuator, command: ca.SX) -> ca.SX:
 def _magnetorheological(
     system: System, actuator: MagnetorheologicalDamper, command: ca.SX, deflection: ca.SX, velocity: ca.SX
 ) -> ca.SX:
-    voltage = _arrived(system, actuator.lag > 0.0, "actuator.voltage", command)
+    voltage = _lagged_command(system, actuator.lag > 0.0, "actuator.voltage", command)
     share = voltage / system.parameter("actuator.maximum")
 
     def number(name: str) -> ca.SX:

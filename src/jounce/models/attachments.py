@@ -77,8 +77,8 @@ def coil_law(mechanism: System, spring: CoilSpring, path: str, length: ca.SX, de
 def winding(linkage: Linkage, body: str) -> ca.SX:
     """Turn (rad) of an arm, or the rocker, about its axis on the car's body since design; positive in bump."""
     point = linkage.hardpoint
-    one, other, tip = AXES[body]
-    pivot = point(one)
+    first, other, tip = AXES[body]
+    pivot = point(first)
     axis = unit(point(other) - pivot)
     lever = point(tip) - pivot
     out = unit(lever - ca.dot(axis, lever) * axis)
@@ -88,11 +88,11 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
         bump = ca.dot(rod, ahead) * rod[2]
     else:
         bump = ahead[2]
-    now, (along, across) = linkage.carriers[body].frame.direction(out).value, _fixed(linkage, out, ahead)
+    now, (along, across) = linkage.carriers[body].frame.direction(out).value, _directions_of_body(linkage, out, ahead)
     return ca.if_else(bump < 0.0, -1.0, 1.0) * ca.atan2(ca.dot(across, now), ca.dot(along, now))
 
 
-def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
+def _directions_of_body(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
     """Directions fixed to the car's body, in its current attitude."""
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
 

@@ -13,7 +13,7 @@ from functools import cache
 
 import casadi as ca
 
-from jounce.mechanics.rotations import turned, unit
+from jounce.mechanics.rotations import rotate, unit
 
 _ON_THE_WAY, _STEPS = (0.25, 0.5, 0.75), 5  # the error after the first full step is below rounding after four more
 _CLOSED = 1e-9  # m^2
@@ -83,12 +83,12 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
     hinge, twist = ca.SX(0.0), ca.SX(0.0)
     for share in (*_ON_THE_WAY, *[1.0] * _STEPS):  # from design, so that it is the assembly that the design has
         placed = [start + share * (end - start) for start, end in zip(far, ends, strict=True)]
-        tips, links, levers = _posed(along, arms, placed, hinge, twist)
+        tips, links, levers = _ends_and_links(along, arms, placed, hinge, twist)
         off = [0.5 * (ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
         (a, b), (c, d) = levers
         gap = a * d - b * c
         hinge, twist = hinge + (d * off[0] - b * off[1]) / gap, twist + (a * off[1] - c * off[0]) / gap
-    tips, links, levers = _posed(along, arms, ends, hinge, twist)
+    tips, links, levers = _ends_and_links(along, arms, ends, hinge, twist)
     left = [ca.fabs(ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
     closed = ca.fmax(*left) < _CLOSED
     hinge, twist = (ca.if_else(closed, angle, ca.SX.nan()) for angle in (hinge, twist))
@@ -108,12 +108,12 @@ def t_bar_function() -> ca.Function:
     return ca.Function("t_bar", [stem, *pairs], [ca.densify(part) for part in outputs])
 
 
-def _posed(
+def _ends_and_links(
     along: ca.SX, arms: Sequence[ca.SX], ends: Sequence[ca.SX], hinge: ca.SX, twist: ca.SX
 ) -> tuple[list[ca.SX], list[ca.SX], list[tuple[ca.SX, ca.SX]]]:
     """Ends of the bar, links from there, and what hinge and twist do to half of each link's squared length, negated."""
-    stem = turned(along, _ACROSS, hinge)
-    tips = [turned(turned(arm, along, twist), _ACROSS, hinge) for arm in arms]
+    stem = rotate(along, _ACROSS, hinge)
+    tips = [rotate(rotate(arm, along, twist), _ACROSS, hinge) for arm in arms]
     links = [end - tip for end, tip in zip(ends, tips, strict=True)]
     levers = [
         (ca.dot(link, ca.cross(_ACROSS, tip)), ca.dot(link, ca.cross(stem, tip)))

@@ -14,7 +14,7 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model, System, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
-from jounce.models.actuation import controlled_force, replaced
+from jounce.models.actuation import controlled_force, element_force
 from jounce.models.attachments import (
     add_rocker,
     add_strut_points,
@@ -42,7 +42,7 @@ from jounce.models.channels import (
     show_strut,
     show_tyre,
 )
-from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Suspension, guided
+from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Suspension, hang_on_guide
 from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 
@@ -64,7 +64,7 @@ def suspension(
     ``guide`` ("fixed", "vertical", "vertical+spherical") is the constraint of the body, and ``rack`` is the travel of
     the rack (m); both are the description's own where they are not given.
     """
-    return build_linkage(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
+    return build_linkage(rig, mechanism, hang_on_guide(mechanism, guide or rig.guide), rack=rack)
 
 
 def build_linkage(
@@ -136,8 +136,8 @@ def strut_forces(
     mechanism = linkage.mechanism
     elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
     if "spring" not in linkage.rig.without:
-        elastic = replaced(mechanism, actuator, "spring", elastic, -spring.rate)
-    stops = replaced(mechanism, actuator, "stops", stops, -spring.rate)
+        elastic = element_force(mechanism, actuator, "spring", elastic, -spring.rate)
+    stops = element_force(mechanism, actuator, "stops", stops, -spring.rate)
     viscous = controlled_force(
         mechanism, actuator, damper.deflection, -damper.rate, lambda: damper_law(linkage, damper)
     )

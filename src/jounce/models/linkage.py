@@ -334,7 +334,7 @@ class Linkage(Suspension):
         return self.chassis.carrier
 
 
-def guided(mechanism: Mechanism, guide: str) -> Body:
+def hang_on_guide(mechanism: Mechanism, guide: str) -> Body:
     """Hang the car's body on its guide: fixed, free to heave, or to heave and turn about a joint."""
     if guide == "fixed":
         return mechanism.ground

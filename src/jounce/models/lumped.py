@@ -14,7 +14,7 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
-from jounce.models.actuation import controlled_force, replaced, replaced_tyre
+from jounce.models.actuation import controlled_force, element_force, replaced_tyre
 from jounce.models.channels import TURNS, show_height, show_strut, show_turn, show_tyre
 from jounce.parts.vehicles import FullAxle, FullCar, HalfCar, HalfCar4DOF, Vehicle, WheeledAxle
 
@@ -72,14 +72,14 @@ def strut_force(
         force = system.parameter("spring_rate") * deflection
     else:
         force = spring_force(system, axle.spring, "spring", deflection)
-    force = replaced(system, actuator, "spring", force, velocity)
+    force = element_force(system, actuator, "spring", force, velocity)
     force += controlled_force(
         system, actuator, deflection, velocity, lambda: _damper(system, axle, deflection, velocity)
     )
     force += friction_force(system, axle.friction, "friction", velocity)
     stops = bump_stop_force(system, axle.bump_stop, "bump_stop", deflection)
     stops -= bump_stop_force(system, axle.rebound_stop, "rebound_stop", -deflection)
-    return force + replaced(system, actuator, "stops", stops, velocity)
+    return force + element_force(system, actuator, "stops", stops, velocity)
 
 
 def _damper(system: System, axle: WheeledAxle, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
@@ -141,7 +141,7 @@ def _massless_axle(system: System, vehicle: HalfCar, height: ca.SX, actuator: An
     ground = -road.value if vehicle.compat == "simulink" else road.value
     deflection = ground - height
     velocity = system.rate_of(deflection if vehicle.compat == "physical" else -height)
-    force = replaced(system, actuator, "spring", system.parameter("spring_rate") * deflection, velocity)
+    force = element_force(system, actuator, "spring", system.parameter("spring_rate") * deflection, velocity)
     force += controlled_force(
         system, actuator, deflection, velocity, lambda: system.parameter("damping_coefficient") * velocity
     )

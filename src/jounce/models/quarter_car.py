@@ -10,7 +10,7 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
-from jounce.models.actuation import controlled_force, replaced, replaced_tyre
+from jounce.models.actuation import controlled_force, element_force, replaced_tyre
 from jounce.models.channels import show_height, show_strut, show_tyre
 from jounce.parts import QuarterCar
 
@@ -53,7 +53,7 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
     deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
     velocity = system.rate_of(deflection)
     spring = spring_force(system, strut.spring, "strut.spring", deflection)
-    spring = replaced(system, actuator, "spring", spring, velocity)
+    spring = element_force(system, actuator, "spring", spring, velocity)
     damper = controlled_force(
         system,
         actuator,
@@ -63,7 +63,7 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
     )
     friction = friction_force(system, strut.friction, "strut.friction", velocity)
     stop = bump_stop_force(system, strut.bump_stop, "strut.bump_stop", deflection)
-    stop = replaced(system, actuator, "stops", stop, velocity)
+    stop = element_force(system, actuator, "stops", stop, velocity)
     force = spring + damper + friction + stop
     system.force(-deflection, force)
     guide = friction_force(system, rig.guide.friction, "guide.friction", system.rate_of(sprung))

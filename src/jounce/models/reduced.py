@@ -26,7 +26,7 @@ from jounce.models.corner import (
     show_wheel,
     strut_forces,
 )
-from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Reached, guided
+from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Reached, hang_on_guide
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
@@ -68,7 +68,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     travel, heave = mechanism.track("travel"), mechanism.track("heave")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
-    linkage = build_linkage(rig, mechanism, guided(mechanism, "vertical"), rack=rack, kind=Watched)
+    linkage = build_linkage(rig, mechanism, hang_on_guide(mechanism, "vertical"), rack=rack, kind=Watched)
     height = mechanism.coordinate_named("sprung.distance")
     mechanism.condition("heave", height - heave.value)
     centre = linkage.wheel_centre
@@ -87,10 +87,10 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     }
     body = linkage.number("sprung.mass")  # no part of what hangs on it
     quantities = {**{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()}, **linkage.seen}
-    return sampled(mechanism, driven, quantities)
+    return sampling_functions(mechanism, driven, quantities)
 
 
-def sampled(mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]) -> SampledCorner:
+def sampling_functions(mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]) -> SampledCorner:
     """Make the functions that sample quantities of a driven pose, rates in them those of unit travel rate."""
     output = driven.along(0)(ca.vertcat(*quantities.values()))
     made = {"pose": driven.pose(), "output": output}

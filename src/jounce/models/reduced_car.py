@@ -25,7 +25,7 @@ from jounce.models.attachments import bar_angle, link_end, third_end
 from jounce.models.corner import add_torsion_bar, build_linkage
 from jounce.models.full_car_3d import full_car_3d
 from jounce.models.linkage import ElementLength, Linkage, Reached, Suspension
-from jounce.models.reduced import INERTIA, MASS, SampledCorner, Watched, sampled
+from jounce.models.reduced import INERTIA, MASS, SampledCorner, Watched, sampling_functions
 from jounce.parts.corners import Corner
 from jounce.parts.vehicles import FullCar3D
 
@@ -48,7 +48,7 @@ def sampled_suspension(rig: Corner) -> SampledCorner:
     driven = DrivenMechanism(mechanism, [travel] if rack is None else [travel, rack])
     linkage.see()
     origin = ca.vertcat(*(number(f"{ORIGIN}[{i}]") for i in range(3)))
-    return sampled(mechanism, driven, _masses(linkage, origin) | linkage.seen)
+    return sampling_functions(mechanism, driven, _masses(linkage, origin) | linkage.seen)
 
 
 class _Seen(Watched):
@@ -137,7 +137,7 @@ class _Travelling(Suspension):
         self.ahead, self.turned = ahead, turned
         self.travel = mechanism.coordinate("travel")
         self.rate = mechanism.rate_of(self.travel)
-        self._place = mechanism.placed("")
+        self._place = mechanism.name_at_place("")
         self._half = self._own(HALF)
         self._x = (self.travel - self._own(MIDDLE)) / self._half
         self.upright = mechanism.body("upright")

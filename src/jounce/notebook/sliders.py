@@ -17,7 +17,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.units import to_si
 from jounce.parts.rig import unit_of
 from jounce.plots.comparison import common_axis, common_channels
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -119,11 +119,11 @@ def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, Displa
     curves = []
     for name in channels:
         y = data[name].to_numpy().astype(float) * units[name].factor
-        few, seen = thinned(x, y, float(x[0]), float(x[-1]), _COLUMNS)
-        kept = [None if not np.isfinite(value) else float(f"{value:.5g}") for value in seen]
+        few, seen = thin(x, y, float(x[0]), float(x[-1]), _COLUMNS)
+        values = [None if not np.isfinite(value) else float(f"{value:.5g}") for value in seen]
         curves.append({
             "name": name, "unit": units[name].name, "across": f"{axis.replace('_', ' ')} [{units[axis].name or '–'}]",
-            "x": [float(f"{value:.6g}") for value in few], "y": kept,
+            "x": [float(f"{value:.6g}") for value in few], "y": values,
         })  # fmt: skip
     return curves
 
@@ -218,10 +218,10 @@ def _widget_class() -> Any:
 
         def _redraw(self, _change: object) -> None:
             try:
-                found = curves_of(self._run(self.rig()), self._names, self._units)
+                curves = curves_of(self._run(self.rig()), self._names, self._units)
             except JounceError as error:  # the curves of before stay, and the reason is said
                 self.problem = str(error)
             else:
-                self.curves, self.problem = found, ""
+                self.curves, self.problem = curves, ""
 
     return LiveRig

@@ -138,15 +138,15 @@ def check_files(
     return CheckedFiles(tuple(checked), parameters)
 
 
-def checked_page(found: CheckedFiles, *, title: str) -> Page:
+def checked_page(checked: CheckedFiles, *, title: str) -> Page:
     """Put the kinds and checks of files on a page, with notes and parameters."""
     from jounce.report.page import Page, PageTable, Paragraph, Section
 
-    rows = tuple((str(item.file), item.kind, _verdict(len(item.problems)), item.what) for item in found.files)
+    rows = tuple((str(item.file), item.kind, _verdict(len(item.problems)), item.what) for item in checked.files)
     blocks: list[Block] = [PageTable("", ("file", "kind", "verdict", "what"), rows, "llll")]
-    blocks += [Paragraph(str(note)) for item in found.files for note in item.notes]
-    for item in found.files:
-        if found.lists_parameters and item.parameters:
+    blocks += [Paragraph(str(note)) for item in checked.files for note in item.notes]
+    for item in checked.files:
+        if checked.lists_parameters and item.parameters:
             numbers = tuple(_in_chosen_unit(path, given) for path, given in item.parameters.items())
             blocks.append(PageTable(f"{item.file}: parameters", ("path", "value", "unit"), numbers, "lrl"))
     return Page(title, (Section("Files", tuple(blocks)),))
@@ -217,8 +217,8 @@ def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
     """Every number of a description by its path, SI, with its unit."""
     from jounce.parts.rig import parameters_of, unit_of
 
-    found = parameters_of(description)
-    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in found.items()}
+    parameters = parameters_of(description)
+    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in parameters.items()}
 
 
 def _check_road(check: FileCheck) -> None:
@@ -234,33 +234,39 @@ def _check_road(check: FileCheck) -> None:
 def _check_control(check: FileCheck) -> None:
     from jounce.control import FmuControl, controller, read_fmu
 
-    found = controller(check.file)
-    check.what = str(getattr(found, "law", type(found).__name__))
+    control = controller(check.file)
+    check.what = str(getattr(control, "law", type(control).__name__))
     if check.what == "fmu":  # which is read, and not run
         from jounce.control import read_fmu
 
-        component = read_fmu(str(getattr(found, "file", "")))
+        component = read_fmu(str(getattr(control, "file", "")))
         component.binary()
         check.what = f"{check.what}: {component.path.name}"
-    if isinstance(found, FmuControl):
-        read_fmu(found.file).binary()
+    if isinstance(control, FmuControl):
+        read_fmu(control.file).binary()
 
 
 def _check_fmu(check: FileCheck) -> None:
     """An FMU: what can be connected, and whether it runs here as a controller or force element."""
     from jounce.control import read_fmu
 
-    found = read_fmu(check.file)
+    component = read_fmu(check.file)
     check.kind = "FMU"
     uses = [
-        word for word, can in (("co-simulation", found.can_step), ("model exchange", found.can_be_integrated)) if can
+        word
+        for word, can in (("co-simulation", component.can_step), ("model exchange", component.can_be_integrated))
+        if can
     ]
-    check.what = f"FMI {found.version}.0, {', '.join(uses)}, for {', '.join(found.platforms) or 'no platform'}"
-    for word, group in (("inputs", found.inputs), ("outputs", found.outputs), ("parameters", found.parameters)):
+    check.what = f"FMI {component.version}.0, {', '.join(uses)}, for {', '.join(component.platforms) or 'no platform'}"
+    for word, group in (
+        ("inputs", component.inputs),
+        ("outputs", component.outputs),
+        ("parameters", component.parameters),
+    ):
         shown = [_connectable(v) for v in group[:_MANY]]
         more = f" and {len(group) - _MANY} more" if len(group) > _MANY else ""
         check.notes.append(f"{word}: {', '.join(shown) or 'none'}{more}")
-    check.notes += found.findings
+    check.notes += component.findings
 
 
 def _connectable(v: FmuVariable) -> str:

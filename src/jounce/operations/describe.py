@@ -77,11 +77,11 @@ PROGRESS, EACH = "progress", "each"
 """Parameters that take functions: one shows a text, the other a part of the result."""
 
 
-def described() -> list[dict[str, Any]]:
+def describe_operations() -> list[dict[str, Any]]:
     """Describe every operation as plain data, for ``index.json``."""
     for module in MODULES:
         import_module(module)
-    registered = sorted(REGISTERED.values(), key=lambda one: MODULES.index(one.function.__module__))
+    registered = sorted(REGISTERED.values(), key=lambda operation: MODULES.index(operation.function.__module__))
     return [_plain(_operation(registration)) for registration in registered]
 
 
@@ -155,12 +155,12 @@ def _default_of(field: FieldInfo, unit: str) -> str:
 def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
     """Give the mark of each parameter; whole numbers and switches need none."""
     hints = _hints(function, include_extras=True)
-    found: dict[str, Mark | MadeBy] = {}
+    marked: dict[str, Mark | MadeBy] = {}
     for name in inspect.signature(function).parameters:
         marks = [mark for mark in getattr(hints[name], "__metadata__", ()) if isinstance(mark, Mark | MadeBy)]
         usual = {bool: Switch(), int: Count()}.get(hints[name], Mark())
-        found[name] = marks[0] if marks else usual
-    return found
+        marked[name] = marks[0] if marks else usual
+    return marked
 
 
 class _Names(dict[str, Any]):

@@ -71,8 +71,8 @@ def synthesise_campaign(
     return SyntheticCampaign(str(folder), file, seed, given, tuple(made))
 
 
-def synthetic_page(found: SyntheticCampaign, *, title: str) -> Page:
+def synthetic_page(campaign: SyntheticCampaign, *, title: str) -> Page:
     """Put a synthetic campaign on a page: how many files there are, and how to go on."""
-    run = command_line(["jounce", "campaign", "run", str(found.campaign), "--out", "results"])
-    text = f"{len(found.files)} files, synthetic; the values behind them are in truth.toml"
+    run = command_line(["jounce", "campaign", "run", str(campaign.campaign), "--out", "results"])
+    text = f"{len(campaign.files)} files, synthetic; the values behind them are in truth.toml"
     return Page(title, (Section("Files", (Paragraph(text), Paragraph("Next:"), Bullets((run,)))),))

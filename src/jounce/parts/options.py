@@ -12,7 +12,7 @@ from jounce.parts.files import load
 from jounce.parts.rig import Rig, unit_of
 
 AnyRig: TypeAlias = Annotated[
-    Rig | str | Path, MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python")
+    Rig | str | Path, MadeBy("jounce.parts.options:rig_of_options", "jounce.parts.options:rig_in_python")
 ]
 """A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
 RigAlone: TypeAlias = Annotated[
@@ -20,7 +20,7 @@ RigAlone: TypeAlias = Annotated[
 ]
 """A rig, its file or its name in the library, without changes."""
 MaybeRig: TypeAlias = Annotated[
-    Rig | str | Path | None, MadeBy("jounce.parts.options:chosen_vehicle", "jounce.parts.options:vehicle_in_python")
+    Rig | str | Path | None, MadeBy("jounce.parts.options:vehicle_of_options", "jounce.parts.options:vehicle_in_python")
 ]
 """A rig that a command may do without, named by an option."""
 
@@ -29,7 +29,7 @@ CHANGES = Settings(
 )
 
 
-def chosen_rig(
+def rig_of_options(
     rig: Annotated[str, File("A vehicle or rig file, or a name of `jounce library`.", shipped=("parts",))],
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig:
@@ -52,7 +52,7 @@ def rig_alone(
     return load(rig)
 
 
-def chosen_vehicle(
+def vehicle_of_options(
     vehicle: Annotated[
         str | None,
         File("Rig or vehicle, for the gaps of its bump and rebound stops.", "VEHICLE", shipped=("parts",)),

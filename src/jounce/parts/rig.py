@@ -151,7 +151,7 @@ def unit_of(kind: BaseModel, path: str) -> str:
     return quantity_at(kind, path).si
 
 
-def shown_unit_of(kind: BaseModel, path: str) -> str:
+def result_unit_of(kind: BaseModel, path: str) -> str:
     """SI unit of the number at ``path`` as results show it: a file takes coefficients of curves without one.
 
     The i-th coefficient of a curve belongs to the power i + 1 of the deflection, so its unit depends on its place.
@@ -161,7 +161,7 @@ def shown_unit_of(kind: BaseModel, path: str) -> str:
     >>> import jounce as jn
     >>> cubic = {"kind": "polynomial", "coefficients": [1.4e5, 0.0, 3.0e6]}
     >>> rig = jn.load("kart-quarter-car").with_changes({"tyre": {"curve": cubic}})
-    >>> [shown_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in (0, 2)]
+    >>> [result_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in (0, 2)]
     ['N/m', 'N/m^3']
     """
     order = re.search(r"curve\.coefficients\[(\d+)\]$", path)

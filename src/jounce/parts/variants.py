@@ -128,13 +128,13 @@ _LAW = re.compile(
 )
 
 
-def worn(rig: R, wear: float) -> R:
+def wear_dampers(rig: R, wear: float) -> R:
     """A copy of a rig or vehicle whose dampers have lost a share ``wear`` of their force: 0 new, 1 no damper at all.
 
     Tyres, springs and friction stay as they are.
 
     >>> from jounce.parts import load
-    >>> worn(load("audi-a6-quarter-car"), 0.25).strut.damper.coefficient   # N s/m, of 2000
+    >>> wear_dampers(load("audi-a6-quarter-car"), 0.25).strut.damper.coefficient   # N s/m, of 2000
     1500.0
     """
     if not (math.isfinite(wear) and 0.0 <= wear <= 1.0):

@@ -6,7 +6,12 @@
 
 import lazy_loader
 
-__getattr__, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
+from jounce.core.old_names import with_old_names
+
+_load, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__ = with_old_names(
+    __name__, {"integrated": "integrated_motion", "rendered": "render_figure", "styled": "in_style"}, _load
+)
 
 
 def __dir__() -> list[str]:

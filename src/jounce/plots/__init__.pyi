@@ -2,7 +2,7 @@
 
 from .analysis import channel_spectra as channel_spectra
 from .analysis import channel_statistics as channel_statistics
-from .analysis import integrated as integrated
+from .analysis import integrated_motion as integrated_motion
 from .analysis import measured_modes as measured_modes
 from .analysis import transfer_estimate as transfer_estimate
 from .campaign import measured_against_simulated as measured_against_simulated
@@ -16,10 +16,10 @@ from .display import display_unit as display_unit
 from .display import number as number
 from .display import quantity as quantity
 from .figures import add_note as add_note
+from .figures import in_style as in_style
 from .figures import new_figure as new_figure
-from .figures import rendered as rendered
+from .figures import render_figure as render_figure
 from .figures import style as style
-from .figures import styled as styled
 from .figures import write_figure as write_figure
 from .fits import calibration_fit as calibration_fit
 from .fits import damper_loops as damper_loops

@@ -19,14 +19,14 @@ from jounce.plots.figures import (
     PALETTE,
     in_legend,
     in_lines,
+    in_style,
     legend_above,
     limits,
     log_axes,
     new_figure,
-    styled,
 )
 from jounce.plots.signals import MOST_COLUMNS
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,13 +43,13 @@ _DECADES = 1e-7  # of the largest density, below which nothing is shown
 _CLASSES = 60
 
 
-@styled
-def channel_statistics(found: RecordStatistics) -> Figure:
+@in_style
+def channel_statistics(statistics: RecordStatistics) -> Figure:
     r"""Draw each channel over time, and beside it how often each value occurs; dashed: as often in Gaussian noise.
 
     Parameters
     ----------
-    found : RecordStatistics
+    statistics : RecordStatistics
         As :func:`jounce.describe_channels` gives it.
 
     Returns
@@ -64,14 +64,14 @@ def channel_statistics(found: RecordStatistics) -> Figure:
     >>> channel_statistics(jn.describe_channels(run)).axes[0].get_ylabel()
     'tyre.force\n[N]'
     """
-    rows = found.channels
+    rows = statistics.channels
     figure = new_figure(0.7 + 1.05 * len(rows))
     grid = figure.subplots(len(rows), 2, squeeze=False, sharex="col", gridspec_kw={"width_ratios": [4.0, 1.0]})
-    time = found.source.run["time"].to_numpy()
+    time = statistics.source.run["time"].to_numpy()
     for (axes, beside), row in zip(grid, rows, strict=True):
-        values = found.source.values(row.channel)
+        values = statistics.source.values(row.channel)
         unit = display_unit(row.unit, max(abs(row.minimum), abs(row.maximum)))
-        few, shown = thinned(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
+        few, shown = thin(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
         axes.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=0.7)
         axes.set_ylabel(unit.label(f"{in_lines(row.channel, _LONGEST_NAME)}\n").replace("\n ", "\n"))
         beside.sharey(axes)
@@ -98,13 +98,13 @@ def _occurrences(axes: Axes, values: Array, mean: float, deviation: float) -> No
     axes.set_xlim(0.0, 1.15 * max(float(scaled.max()), 0.4))
 
 
-@styled
-def channel_spectra(found: RecordSpectra) -> Figure:
+@in_style
+def channel_spectra(spectra: RecordSpectra) -> Figure:
     """Draw the power spectral density of each channel, its interval and the peaks that stand out.
 
     Parameters
     ----------
-    found : RecordSpectra
+    spectra : RecordSpectra
         As :func:`jounce.estimate_spectra` gives it.
 
     Returns
@@ -120,20 +120,20 @@ def channel_spectra(found: RecordSpectra) -> Figure:
     >>> channel_spectra(jn.estimate_spectra(run)).axes[0].get_xlabel()
     'frequency [Hz]'
     """
-    rows = found.channels
+    rows = spectra.channels
     columns = 1 if len(rows) < 3 else 2
     lines = max(-(-len(rows) // columns), 1)
     figure = new_figure(0.7 + 2.2 * lines, 9.6 if columns > 1 else 7.6)
     grid = figure.subplots(lines, columns, sharex=True, squeeze=False)
     for axes, row in zip(grid.flat, rows, strict=False):
-        _spectrum(axes, row, found.interval)
+        _spectrum(axes, row, spectra.interval)
     for axes in grid.flat[len(rows) :]:
         axes.remove()
     for axes in list(grid.flat)[max(len(rows) - columns, 0) : len(rows)]:
         axes.set_xlabel("frequency [Hz]")
         axes.tick_params(labelbottom=True)
-    words = f"segments of {number(found.segment, 3)} s, resolution {number(found.resolution, 2)} Hz"
-    freedom = f"{number(found.degrees_of_freedom, 3)} degrees of freedom, shaded: {100.0 * found.confidence:g} %"
+    words = f"segments of {number(spectra.segment, 3)} s, resolution {number(spectra.resolution, 2)} Hz"
+    freedom = f"{number(spectra.degrees_of_freedom, 3)} degrees of freedom, shaded: {100.0 * spectra.confidence:g} %"
     figure.suptitle(f"{words}, {freedom}", x=0.01, ha="left", fontsize=9, color=MUTED)
     return figure
 
@@ -166,13 +166,13 @@ def _spectrum(axes: Axes, row: ChannelSpectrum, interval: tuple[float, float]) -
     limits(axes, float(f[0]), float(f[-1]))
 
 
-@styled
-def transfer_estimate(found: TransferEstimate) -> Figure:
+@in_style
+def transfer_estimate(transfer: TransferEstimate) -> Figure:
     """Draw gain with its interval, phase and coherence of two measured channels, beside a linear model.
 
     Parameters
     ----------
-    found : TransferEstimate
+    transfer : TransferEstimate
         As :func:`jounce.estimate_transfer` gives it.
 
     Returns
@@ -192,41 +192,45 @@ def transfer_estimate(found: TransferEstimate) -> Figure:
     """
     from matplotlib.ticker import MultipleLocator
 
-    output, given = display_unit(found.output_unit), display_unit(found.given_unit)
+    output, given = display_unit(transfer.output_unit), display_unit(transfer.given_unit)
     factor = output.factor / given.factor
     figure = new_figure(5.6)
     gain, phase, coherence = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.2, 1.0]})
-    f = found.frequency
-    low, high = (end * factor for end in found.gain_interval)
-    value = found.gain * factor
-    shown = np.isfinite(high) & (value > 0.0) & (found.coherence > found.significant)
+    f = transfer.frequency
+    low, high = (end * factor for end in transfer.gain_interval)
+    value = transfer.gain * factor
+    shown = np.isfinite(high) & (value > 0.0) & (transfer.coherence > transfer.significant)
     seen = value[shown] if shown.any() else value[value > 0.0]
     bottom, top = (0.3 * float(seen.min()), 3.0 * float(seen.max())) if seen.size else (0.1, 10.0)
     bottom = max(bottom, 1e-5 * top)
-    interval = f"{100.0 * found.confidence:g} % interval"
+    interval = f"{100.0 * transfer.confidence:g} % interval"
     upper, lower = (
         np.where(shown, np.minimum(high, 10.0 * top), np.nan),
         np.where(shown, np.maximum(low, 0.1 * bottom), np.nan),
     )
     gain.fill_between(f, lower, upper, color="#a9cce6", linewidth=0.0, alpha=0.7, label=interval)
     gain.plot(
-        f, np.where(value > 0.0, value, np.nan), color=PALETTE[0], linewidth=1.1, label=f"measured, {found.estimator}"
+        f,
+        np.where(value > 0.0, value, np.nan),
+        color=PALETTE[0],
+        linewidth=1.1,
+        label=f"measured, {transfer.estimator}",
     )
-    degrees = np.degrees(found.phase)
-    half = np.degrees(np.minimum(found.factor * found.phase_error, np.pi))
+    degrees = np.degrees(transfer.phase)
+    half = np.degrees(np.minimum(transfer.factor * transfer.phase_error, np.pi))
     phase.vlines(f[shown], (degrees - half)[shown], (degrees + half)[shown], color="#a9cce6", linewidth=1.5)
     phase.plot(f, np.where(shown, degrees, np.nan), ".", color=PALETTE[0], markersize=2.5)
-    if found.model is not None:
+    if transfer.model is not None:
         line = {"color": BEFORE, "linewidth": 1.3, "linestyle": (0, (5, 2))}
-        gain.plot(f, np.abs(found.model) * factor, label="model", **line)
-        phase.plot(f, np.degrees(_unbroken(np.angle(found.model))), **line)
-    coherence.plot(f, found.coherence, color=PALETTE[0], linewidth=1.1)
-    coherence.axhline(found.significant, color=MUTED, linewidth=1.0, linestyle=":")
+        gain.plot(f, np.abs(transfer.model) * factor, label="model", **line)
+        phase.plot(f, np.degrees(_unbroken(np.angle(transfer.model))), **line)
+    coherence.plot(f, transfer.coherence, color=PALETTE[0], linewidth=1.1)
+    coherence.axhline(transfer.significant, color=MUTED, linewidth=1.0, linestyle=":")
     for axes in (phase, coherence):
         log_axes(axes, "x")
     log_axes(gain)
     per = ratio_unit(output.name, given.name)
-    gain.set(ylabel=f"gain [{per}]", ylim=(bottom, top), title=f"{found.output} over {found.given}")
+    gain.set(ylabel=f"gain [{per}]", ylim=(bottom, top), title=f"{transfer.output} over {transfer.given}")
     phase.set(ylabel="phase [°]", ylim=(-190.0, 190.0))
     phase.yaxis.set_major_locator(MultipleLocator(90.0))
     coherence.set(ylabel="coherence [–]", ylim=(0.0, 1.05), xlabel="frequency [Hz]")
@@ -243,13 +247,13 @@ def _unbroken(angle: Array) -> Array:
     return broken
 
 
-@styled
-def measured_modes(found: FittedModes) -> Figure:
+@in_style
+def measured_modes(modes: FittedModes) -> Figure:
     """Draw what was measured with the fitted modes, and below it the poles of denominators of rising order.
 
     Parameters
     ----------
-    found : FittedModes
+    modes : FittedModes
         As :func:`jounce.fit_modes` gives it.
 
     Returns
@@ -260,17 +264,17 @@ def measured_modes(found: FittedModes) -> Figure:
     """
     figure = new_figure(5.4)
     above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [1.7, 1.0]})
-    sizes = np.abs(found.measured).max(axis=0)
-    for k, name in enumerate(found.outputs):
+    sizes = np.abs(modes.measured).max(axis=0)
+    for k, name in enumerate(modes.outputs):
         colour = PALETTE[k % len(PALETTE)]
-        above.plot(found.frequency, np.abs(found.measured[:, k]) / sizes[k], color=colour, linewidth=0.9, alpha=0.55)
-        fitted = np.abs(found.fitted[:, k]) / sizes[k]
-        above.plot(found.frequency, fitted, color=colour, linewidth=1.8, label=in_legend(name))
-    table = found.stabilisation
+        above.plot(modes.frequency, np.abs(modes.measured[:, k]) / sizes[k], color=colour, linewidth=0.9, alpha=0.55)
+        fitted = np.abs(modes.fitted[:, k]) / sizes[k]
+        above.plot(modes.frequency, fitted, color=colour, linewidth=1.8, label=in_legend(name))
+    table = modes.stabilisation
     stable = table.is_stable
     below.plot(table.frequency[~stable], table.order[~stable], "o", color=MUTED, markersize=3.0, markerfacecolor="none")
     below.plot(table.frequency[stable], table.order[stable], "o", color=AFTER, markersize=3.5)
-    for mode in found.modes:
+    for mode in modes.modes:
         for axes in (above, below):
             if mode.frequency.interval is not None:
                 axes.axvspan(*mode.frequency.interval, color=GRID, linewidth=0.0, zorder=0)
@@ -285,23 +289,23 @@ def measured_modes(found: FittedModes) -> Figure:
         )  # fmt: skip
     log_axes(above)
     log_axes(below, "x")
-    what = {"transfer": f"over {found.given}", "spectrum": "density", "decay": "free decay"}[found.kind]
-    least = max(0.3 * float(np.min(np.abs(found.measured) / sizes)), 1e-4)
+    what = {"transfer": f"over {modes.given}", "spectrum": "density", "decay": "free decay"}[modes.kind]
+    least = max(0.3 * float(np.min(np.abs(modes.measured) / sizes)), 1e-4)
     above.set(ylabel=f"{what}, of its largest [–]", ylim=(least, 8.0))
     below.set(ylabel="order", xlabel="frequency [Hz]")
-    limits(below, float(found.frequency[0]), float(found.frequency[-1]))
+    limits(below, float(modes.frequency[0]), float(modes.frequency[-1]))
     legend_above(above, 4)
     figure.align_ylabels([above, below])
     return figure
 
 
-@styled
-def integrated(found: Integration) -> Figure:
+@in_style
+def integrated_motion(integration: Integration) -> Figure:
     """Draw each acceleration with its velocity and displacement; shaded: what the ends of the record reach.
 
     Parameters
     ----------
-    found : Integration
+    integration : Integration
         As :func:`jounce.integrate_acceleration` gives it.
 
     Returns
@@ -309,26 +313,26 @@ def integrated(found: Integration) -> Figure:
     matplotlib.figure.Figure
         A column for each of the first three channels, in the units that are chosen, over time (s).
     """
-    shown = found.channels[:_MOST_INTEGRATED]
+    shown = integration.channels[:_MOST_INTEGRATED]
     figure = new_figure(5.0, max(7.6, 4.2 * len(shown)))
     grid = figure.subplots(3, len(shown), sharex=True, squeeze=False)
-    first, last = float(found.time[0]), float(found.time[-1])
+    first, last = float(integration.time[0]), float(integration.time[-1])
     for column, row in zip(grid.T, shown, strict=True):
         signals = (
-            (row.channel, found.source.values(row.channel)[: len(found.time)], row.unit, 0.0),
+            (row.channel, integration.source.values(row.channel)[: len(integration.time)], row.unit, 0.0),
             (row.velocity_channel, row.velocity, row.velocity_unit, row.velocity_error),
             (row.displacement_channel, row.displacement, row.displacement_unit, row.displacement_error),
         )
         for axes, (name, values, si, error) in zip(column, signals, strict=True):
             unit = display_unit(si, float(np.abs(values).max()))
-            few, drawn = thinned(found.time, values, first, last, MOST_COLUMNS)
+            few, drawn = thin(integration.time, values, first, last, MOST_COLUMNS)
             axes.plot(few, drawn * unit.factor, color=PALETTE[0], linewidth=0.8)
             axes.set_ylabel(unit.label(f"{in_lines(name, _LONGEST_NAME)}\n").replace("\n ", "\n"))
-            inner = drawn[(few >= found.valid[0]) & (few <= found.valid[1])] * unit.factor
+            inner = drawn[(few >= integration.valid[0]) & (few <= integration.valid[1])] * unit.factor
             if inner.size:
                 room = 0.15 * max(float(np.ptp(inner)), 1e-12)
                 axes.set_ylim(float(inner.min()) - room, float(inner.max()) + room)
-            for low, high in ((first, found.valid[0]), (found.valid[1], last)):
+            for low, high in ((first, integration.valid[0]), (integration.valid[1], last)):
                 if high > low:
                     axes.axvspan(low, high, color=GRID, linewidth=0.0, zorder=0)
             if error:

@@ -10,7 +10,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.phrases import Phrase
 from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
 from jounce.plots.display import quantity
-from jounce.plots.figures import INK, MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.plots.figures import INK, MUTED, PALETTE, in_style, legend_above, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,7 +43,7 @@ _EVENTS = (3.0, 6.0, 8.0)  # s: moment, obstacle, its end, as in the paper
 _TURNS = 0.4  # s: two turns of the exciter
 
 
-@styled
+@in_style
 def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     r"""Draw one signal of a case (mm, mrad, kN): one set of axes for each moment, one line for each variant.
 
@@ -70,7 +70,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     return figure
 
 
-@styled
+@in_style
 def case_overview(study: AudiCase, moment: float) -> Figure:
     """Draw all signals of the runs with one pitch moment (N m): bounce, pitch, forces, road and moment."""
     runs = [run for run in study.runs if run.moment == moment]
@@ -85,7 +85,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def start_up_transient(study: AudiCase) -> Figure:
     """Draw how the paper's vehicle settles (mm) from the initial state of the demo to its equilibrium."""
     start_up = study.start_up
@@ -109,7 +109,7 @@ def start_up_transient(study: AudiCase) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
     """Draw plate, spring length (mm) and spring force (kN) over time for all models of the corner on its exciter."""
     figure = new_figure(6.4)
@@ -140,7 +140,7 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def exciter_torque_curve(study: EccentricExciter) -> Figure:
     """Draw torque (N m) and plate force (kN) over two turns of steady motion, beside the torque of eq. (5)."""
     figure = new_figure(4.6)

@@ -22,8 +22,8 @@ from jounce.plots.figures import (
     VERDICTS,
     WIDTH,
     in_lines,
+    in_style,
     new_figure,
-    styled,
 )
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show
 
 
-@styled
+@in_style
 def measured_against_simulated(trial: TrialResult, obstacle: tuple[float, float] | None = None) -> Figure:
     """Draw every channel of a trial: measured, before and after updating, with the residuals below.
 
@@ -159,7 +159,7 @@ def channels_of(trials: Sequence[TrialResult]) -> list[str]:
     return list(names)
 
 
-@styled
+@in_style
 def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
     """Draw the ISO/TS 18571 rating of every trial and channel, before and after updating, as a table of colours.
 
@@ -229,7 +229,7 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, columnspacing=1.2)
 
 
-@styled
+@in_style
 def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     """Draw the normalised error of every trial after updating against speed and against obstacle pitch.
 

@@ -12,9 +12,9 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import words_of
-from jounce.plots.figures import PALETTE, legend_outside, new_figure, styled
+from jounce.plots.figures import PALETTE, in_style, legend_outside, new_figure
 from jounce.plots.signals import MOST_COLUMNS
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,7 +25,7 @@ _PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.fo
 _MOST_BY_DEFAULT = 4
 
 
-@styled
+@in_style
 def compare(
     runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset],
     channels: Sequence[str] | None = None,
@@ -87,10 +87,10 @@ def compare(
             line = line_of(data, name, axis)
             colour = PALETTE[k % len(PALETTE)]
             style = {"color": colour, "linewidth": 1.1, "linestyle": "-" if k < len(PALETTE) else "--"}
-            x, y = thinned(*line, low, high, MOST_COLUMNS)
+            x, y = thin(*line, low, high, MOST_COLUMNS)
             panels[step * i].plot(x * along_factor, y * unit.factor, label=label, **style)
             if shown_differences and k:
-                x, y = thinned(line[0], apart(line[1], through(reference, line[0])), low, high, MOST_COLUMNS)
+                x, y = thin(line[0], apart(line[1], through(reference, line[0])), low, high, MOST_COLUMNS)
                 panels[step * i + 1].plot(x * along_factor, y * unit.factor, **style)
         panels[step * i].set_title(name)
         panels[step * i].set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))

@@ -19,9 +19,9 @@ from jounce.plots.figures import (
     WIDTH,
     at_tick,
     in_legend,
+    in_style,
     log_axes,
     new_figure,
-    styled,
 )
 from jounce.plots.labels import name_points
 from jounce.plots.parallel import between_ends, draw_uprights
@@ -44,7 +44,7 @@ _WORDS = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
 _BAR = 0.55
 
 
-@styled
+@in_style
 def pareto_front(front: ParetoFront) -> Figure:
     """Draw a front: both metrics, coloured by a third where there is one, and best dampers; beside it the free numbers.
 
@@ -89,7 +89,7 @@ def pareto_front(front: ParetoFront) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def design_front(front: DesignFront) -> Figure:
     """Draw a front of several metrics: each pair of the first four, then all metrics and numbers as parallel axes.
 
@@ -232,7 +232,7 @@ def _handles(front: ParetoFront) -> list[Any]:
     return handles
 
 
-@styled
+@in_style
 def optimisation(result: Optimisation) -> Figure:
     """Draw what an optimisation changed.
 
@@ -337,7 +337,7 @@ def study_spectra(study: RideStudy, *, title: str) -> Figure:
     return ride_spectra(study.rides, study.stationary, title)
 
 
-@styled
+@in_style
 def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = None, title: str = "") -> Figure:
     """Draw power spectral densities of the body's acceleration ((m/s²)²/Hz) and of all wheel loads (N²/Hz).
 
@@ -395,7 +395,7 @@ def _visible_range(axes: Axes) -> tuple[float, float]:
     return max(0.5 * least, 1e-5 * greatest), 2.0 * greatest
 
 
-@styled
+@in_style
 def trade_off(study: RideStudy) -> Figure:
     """Draw comfort against road holding (travel, where the rig has no tyre), the size of a point showing the travel.
 

@@ -27,7 +27,7 @@ PARALLEL = 1e2
 FAR_AWAY = ("instant_centre", "swing_arm")
 
 
-def settled(values: Array, si: str) -> Array:
+def settle(values: Array, si: str) -> Array:
     """Values (n,) of an SI unit, 0 where only rounding is left, and all alike where they differ by rounding only."""
     least = SMALLEST.get(si, 0.0)
     rounded = np.where(np.abs(values) < least, 0.0, values)
@@ -56,10 +56,10 @@ _ROUNDING = 1e-12
 """SI values of this size are what rounding leaves of nothing."""
 
 
-def settled_number(value: float | None, si: str, unit: DisplayUnit) -> str:
+def settle_number(value: float | None, si: str, unit: DisplayUnit) -> str:
     """Write an SI value in a unit; a rounding residue is written as zero.
 
-    >>> settled_number(3e-17, "rad", DisplayUnit("°", 57.3)), settled_number(0.01, "m", DisplayUnit("mm", 1e3))
+    >>> settle_number(3e-17, "rad", DisplayUnit("°", 57.3)), settle_number(0.01, "m", DisplayUnit("mm", 1e3))
     ('0', '10.00')
     """
     if value is not None and abs(value) < SMALLEST.get(si, _ROUNDING):
@@ -86,14 +86,14 @@ def ratio_unit(above: str, below: str) -> str:
     return f"{first}/{second}"
 
 
-def given(value: float | None, si: str, words: str = "") -> str:
+def setting_text(value: float | None, si: str, words: str = "") -> str:
     """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
 
     What it is, in ``words``, matters for speeds, as :func:`jounce.core.display.display_unit_for` has them.
 
     Examples
     --------
-    >>> given(310000.0, "Pa"), given(0.4537856, "rad"), given(1.95, "m/s"), given(None, "m")
+    >>> setting_text(310000.0, "Pa"), setting_text(0.4537856, "rad"), setting_text(1.95, "m/s"), setting_text(None, "m")
     ('0.31 MPa', '26°', '1.95 m/s', '–')
     """
     if value is None:

@@ -112,7 +112,7 @@ def style() -> Iterator[None]:
         yield
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+def in_style(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     """Make a drawing function work in the product's style, whatever the user has set."""
 
     @wraps(draw)
@@ -143,7 +143,7 @@ def figure_type() -> type[Figure]:
             cell = getattr(get_ipython(), "execution_count", None)
             if cell is None or cell != self._shown_in:
                 self._shown_in = cell
-                display(SVG(rendered(self, [".svg"])[".svg"].decode()))
+                display(SVG(render_figure(self, [".svg"])[".svg"].decode()))
 
     NotebookFigure.__name__ = NotebookFigure.__qualname__ = "Figure"
     return NotebookFigure
@@ -335,13 +335,13 @@ def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Pa
 
 def _write(figure: Figure, file: Path) -> None:
     suffix = file.suffix.lower()
-    file.write_bytes(rendered(figure, [suffix])[suffix])
+    file.write_bytes(render_figure(figure, [suffix])[suffix])
 
 
 FIGURES = Formats("figures", dict.fromkeys((".svg", ".png", ".pdf"), _write))
 
 
-def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:
+def render_figure(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:
     """Draw a figure once and give its bytes in several formats.
 
     Parameters

@@ -25,9 +25,9 @@ from jounce.plots.figures import (
     at_tick,
     fill_cells,
     in_legend,
+    in_style,
     legend_above,
     new_figure,
-    styled,
 )
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from jounce.identify.update import UpdatedParameter, UpdateResult
 
 
-@styled
+@in_style
 def calibration_fit(result: Calibration, title: str = "") -> Figure:
     """Draw the points of a calibration with the line through them, and how far each lies off that line.
 
@@ -80,7 +80,7 @@ def calibration_fit(result: Calibration, title: str = "") -> Figure:
     return figure
 
 
-@styled
+@in_style
 def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = "") -> Figure:
     """Draw a fitted force law over the measured points, and the stiffness of each trial by itself.
 
@@ -185,7 +185,7 @@ def _short(name: str) -> str:
     return bare if len(bare) <= 18 else f"…{bare[-17:]}"
 
 
-@styled
+@in_style
 def tyre_pressure(result: PressureStiffness) -> Figure:
     """Draw tyre stiffness against inflation pressure.
 
@@ -218,7 +218,7 @@ def tyre_pressure(result: PressureStiffness) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def damper_loops(
     displacement: ArrayLike, velocity: ArrayLike, force: ArrayLike, fits: Mapping[str, ArrayLike], title: str = ""
 ) -> Figure:
@@ -286,7 +286,7 @@ def damper_loops(
     return figure
 
 
-@styled
+@in_style
 def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = "") -> Figure:
     """Draw a free decay, the fitted response, and each turning point against the one before.
 
@@ -393,7 +393,7 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     axes.legend(loc="upper left")
 
 
-@styled
+@in_style
 def update(result: UpdateResult) -> Figure:
     """Draw where the parameters of one update ended within their bounds, and how their estimates are correlated.
 
@@ -486,7 +486,7 @@ def _change(percent: float) -> str:
     return "no change" if text in ("+0.0 %", "-0.0 %") else text.replace("-", "−")
 
 
-@styled
+@in_style
 def objectives(results: Sequence[UpdateResult]) -> Figure:
     """Draw the objective of several updates before and after, each relative to its own start.
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.inspection.sweep import turns_of_sweep
-from jounce.plots.figures import MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.plots.figures import MUTED, PALETTE, in_style, legend_above, new_figure
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -45,7 +45,7 @@ _WORDS = {
 }  # fmt: skip
 
 
-@styled
+@in_style
 def inspection_curves(
     inspection: Inspection,
     record: xr.Dataset | None = None,
@@ -253,7 +253,7 @@ def history_figure(result: VehicleHistory, title: str = "") -> Figure:  # noqa: 
     return vehicle_history(result.visits)
 
 
-@styled
+@in_style
 def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Figure:
     """Draw adhesion (%), phase angle (degrees) and damping ratio of every wheel against the date.
 
@@ -310,7 +310,7 @@ _NEVER = "dots at the top: never rejected"
 _SOUND, _WORN = "#dceedd", "#f6ddd4"
 
 
-@styled
+@in_style
 def equivalence(study: Equivalence) -> Figure:
     """Draw for each factor the damper wear (%) from which each method rejects.
 

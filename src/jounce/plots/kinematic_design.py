@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
-from jounce.plots.display import settled
-from jounce.plots.figures import INK, MUTED, PALETTE, fill_cells, new_figure, styled
+from jounce.plots.display import settle
+from jounce.plots.figures import INK, MUTED, PALETTE, fill_cells, in_style, new_figure
 from jounce.plots.parallel import between_ends, draw_uprights
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ _AROUND_NAMES = 0.14  # inches: names of points are long, and measured at anothe
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
 
 
-@styled
+@in_style
 def target_curves(design: KinematicDesign) -> Figure:
     """Draw every wanted curve before and after with its band, and single values in tolerances from what is wanted.
 
@@ -71,7 +71,7 @@ def _curve(axes: Axes, target: TargetResult) -> None:
     x = np.array(target.at) * along.factor
     low, high = target.bounds()
     low, high = low - target.tolerance, high + target.tolerance
-    drawn = [settled(values, target.unit) * unit.factor for values in (before, after)]
+    drawn = [settle(values, target.unit) * unit.factor for values in (before, after)]
     seen = np.concatenate([*drawn, *(end[np.isfinite(end)] * unit.factor for end in (low, high))])
     room = 0.08 * max(float(np.ptp(seen)), 1e-9)
     ends = float(np.min(seen)) - room, float(np.max(seen)) + room
@@ -103,7 +103,7 @@ def _singles(axes: Axes, targets: list[TargetResult]) -> None:
     axes.set_title("single values", loc="left")
 
 
-@styled
+@in_style
 def sensitivity_bars(design: KinematicDesign) -> Figure:
     """Draw a tornado a target: what 1 mm of each coordinate changes, in tolerances, the largest effects on top.
 
@@ -153,7 +153,7 @@ def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) ->
     axes.grid(visible=False, axis="y")
 
 
-@styled
+@in_style
 def tradeoff_matrix(design: KinematicDesign) -> Figure:
     """Draw which targets answer when one more tolerance of one is asked: blue the same way, orange the other.
 
@@ -192,7 +192,7 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def spread_bands(spread: KinematicSpread) -> Figure:
     """Draw the effect of manufacturing tolerances on every target, as built and adjusted, and its causes.
 
@@ -248,7 +248,7 @@ def spread_bands(spread: KinematicSpread) -> Figure:
 _BANDS = ("drawn", "low", "high", "low_adjusted", "high_adjusted")
 
 
-@styled
+@in_style
 def front_lines(front: KinematicFront) -> Figure:
     """Draw the designs of a front as lines over parallel axes: goals first, then the numbers that were moved.
 
@@ -307,7 +307,7 @@ def _parallel(axes: Axes, table: np.ndarray, names: list[str], units: list[str],
     axes.set_title("designs of the front" if len(table) > 1 else "the design", loc="left")
 
 
-@styled
+@in_style
 def hardpoint_fit(fit: HardpointFit) -> Figure:
     """Draw measured quantities with the model before and after its points were updated, and the points' intervals.
 

@@ -13,8 +13,17 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.writing import write_files
-from jounce.plots.display import FAR_AWAY, PARALLEL, settled
-from jounce.plots.figures import MUTED, PALETTE, columns_of, in_legend, legend_outside, new_figure, rendered, styled
+from jounce.plots.display import FAR_AWAY, PARALLEL, settle
+from jounce.plots.figures import (
+    MUTED,
+    PALETTE,
+    columns_of,
+    in_legend,
+    in_style,
+    legend_outside,
+    new_figure,
+    render_figure,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -117,7 +126,7 @@ _ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its w
 _MOST_LINES = 5
 
 
-@styled
+@in_style
 def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: Sequence[str] | None = None) -> Figure:
     """Draw quantities of a kinematic sweep, or of several over each other, one set of axes each.
 
@@ -180,21 +189,21 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
     return figure
 
 
-def steering_effort(found: Swept, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
+def steering_effort(sweep: Swept, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
     """Draw force on the rack and torques of the column over a sweep, as far as they are known."""
     names = ("rack_force", "pinion_torque", "handwheel_torque")
-    return kinematic_curves(found.data, [name for name in names if name in found.data])
+    return kinematic_curves(sweep.data, [name for name in names if name in sweep.data])
 
 
-def clearances(found: ClearanceStudy, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
+def clearances(study: ClearanceStudy, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
     """Draw every distance over travel and rack."""
-    assert found.data is not None
-    return kinematic_curves(found.data, list(map(str, found.data.data_vars)))
+    assert study.data is not None
+    return kinematic_curves(study.data, list(map(str, study.data.data_vars)))
 
 
-def write_swept(found: Swept, folder: Path | str, *, force: bool = False) -> list[Path]:
+def write_swept(sweep: Swept, folder: Path | str, *, force: bool = False) -> list[Path]:
     """Draw every quantity of a sweep into a folder, as :func:`write_kinematics` does."""
-    return write_kinematics(found.data, folder, force=force)
+    return write_kinematics(sweep.data, folder, force=force)
 
 
 def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
@@ -224,7 +233,7 @@ def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = Fal
     drawn = {name for names in sheets.values() for name in names}
     sheets[_OTHERS] = [name for name in known if name not in drawn]
     contents: dict[str, bytes | str] = {
-        f"{sheet}.png": rendered(kinematic_curves(sweep, names), [".png"])[".png"]
+        f"{sheet}.png": render_figure(kinematic_curves(sweep, names), [".png"])[".png"]
         for sheet, names in sheets.items()
         if names
     }
@@ -259,7 +268,7 @@ def _draw(axes: Axes, sweeps: Mapping[str, xr.Dataset], name: str) -> None:
         lines = [
             (label, np.where(np.abs(values) < PARALLEL, values, np.nan), variable) for label, values, variable in lines
         ]
-    lines = [(label, settled(values, si), variable) for label, values, variable in lines]
+    lines = [(label, settle(values, si), variable) for label, values, variable in lines]
     if any(word in name for word in _TO_INFINITY):
         lines = [(label, _cut(values), variable) for label, values, variable in lines]
     everything = np.concatenate([values for _, values, _ in lines])

@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.plots.campaign import lively_window
 from jounce.plots.display import quantity, words_of
-from jounce.plots.figures import AFTER, BEFORE, MEASURED, PALETTE, new_figure, styled
+from jounce.plots.figures import AFTER, BEFORE, MEASURED, PALETTE, in_style, new_figure
 from jounce.recordings.schema import QUANTITIES, quantity_of
 from jounce.roads import Train, read_roads
 
@@ -63,7 +63,7 @@ def paper_figures(result: CampaignResult) -> dict[str, Figure]:
     return figures
 
 
-@styled
+@in_style
 def force_against_deflection(
     title: str, trials: Sequence[ForceDeflectionTrial], laws: Sequence[StiffnessResult]
 ) -> Figure:
@@ -107,7 +107,7 @@ def force_against_deflection(
     return figure
 
 
-@styled
+@in_style
 def obstacle_profiles(roads: Sequence[Road]) -> Figure:
     """Draw obstacles side by side: height against distance, both in mm."""
     figure = new_figure(2.3)
@@ -122,7 +122,7 @@ def obstacle_profiles(roads: Sequence[Road]) -> Figure:
     return figure
 
 
-@styled
+@in_style
 def adjusted_and_not(strategy: StrategyResult, trial: StrategyTrial) -> Figure:
     """Draw a trial before and after one update: (a) sprung mass, (b) unsprung mass and whatever else was recorded.
 
@@ -178,7 +178,7 @@ def _unit(name: str, shown: Signals) -> DisplayUnit:
     return display_unit(QUANTITIES[kind][0] if kind else "1", float(np.abs(shown.measured).max()))
 
 
-@styled
+@in_style
 def update_on_every_trial(strategy: StrategyResult) -> Figure:
     """Draw every trial before and after one update: a row for each trial, a column for each channel, over time (s)."""
     trials = [trial for trial in strategy.trials if trial.signals or trial.signals_before]

@@ -8,7 +8,17 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import FitError, unknown
-from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, columns_of, in_lines, legend_outside, new_figure, styled
+from jounce.plots.figures import (
+    INK,
+    MUTED,
+    PALETTE,
+    at_tick,
+    columns_of,
+    in_lines,
+    in_style,
+    legend_outside,
+    new_figure,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,8 +31,8 @@ if TYPE_CHECKING:
 _MOST_POINTS, _BINS = 4000, 60
 
 
-@styled
-def posterior_draws(found: Posterior) -> Figure:
+@in_style
+def posterior_draws(posterior: Posterior) -> Figure:
     """Draw the distribution of each parameter and of each pair.
 
     Where model error is counted, bars and dots are what a test machine gives of the parts, lines over the bars the
@@ -30,7 +40,7 @@ def posterior_draws(found: Posterior) -> Figure:
 
     Parameters
     ----------
-    found : Posterior
+    posterior : Posterior
         As :func:`jounce.posterior` gives it; SI, shown in usual units.
 
     Returns
@@ -49,13 +59,13 @@ def posterior_draws(found: Posterior) -> Figure:
     >>> len(posterior_draws(found).axes)
     1
     """
-    paths = list(found.parameters)
-    names = [f"component of {path}" if f"component of {path}" in found.samples else path for path in paths]
+    paths = list(posterior.parameters)
+    names = [f"component of {path}" if f"component of {path}" in posterior.samples else path for path in paths]
     columns, others, units, limits = [], [], [], []
     for path, name in zip(paths, names, strict=True):
-        values = found.samples[name].to_numpy().ravel()
-        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(values))))
-        other = found.samples.get(f"effective of {path}")
+        values = posterior.samples[name].to_numpy().ravel()
+        unit = display_unit(posterior.parameters[path].unit or "1", float(np.max(np.abs(values))))
+        other = posterior.samples.get(f"effective of {path}")
         columns.append(values * unit.factor)
         others.append(None if other is None else other.to_numpy().ravel() * unit.factor)
         units.append(unit)
@@ -63,7 +73,9 @@ def posterior_draws(found: Posterior) -> Figure:
         low, high = np.quantile(both, (0.0005, 0.9995))
         limits.append((low, max(high, low + 1e-12)))
     size = len(paths)
-    rows = np.random.default_rng(found.seed).choice(len(columns[0]), min(_MOST_POINTS, len(columns[0])), replace=False)
+    rows = np.random.default_rng(posterior.seed).choice(
+        len(columns[0]), min(_MOST_POINTS, len(columns[0])), replace=False
+    )
     side = max(1.7, min(3.2, 8.4 / size))
     figure = new_figure(0.7 + side * size, 0.8 + side * size)
     grid = figure.subplots(size, size, squeeze=False)
@@ -74,7 +86,7 @@ def posterior_draws(found: Posterior) -> Figure:
                 axes.set_visible(False)
                 continue
             if i == j:
-                ends = [end * units[i].factor for end in found.parameters[paths[i]].interval]
+                ends = [end * units[i].factor for end in posterior.parameters[paths[i]].interval]
                 _histogram(axes, columns[i], ends, others[i], limits[i])
             else:
                 axes.plot(
@@ -106,13 +118,13 @@ def _histogram(
     axes.set_yticks([])
 
 
-@styled
-def profile_likelihood(found: Posterior) -> Figure:
+@in_style
+def profile_likelihood(posterior: Posterior) -> Figure:
     """Draw the log likelihood over each parameter, the others at their best fit, with a Gaussian for comparison.
 
     Parameters
     ----------
-    found : Posterior
+    posterior : Posterior
         As :func:`jounce.posterior` gives it.
 
     Returns
@@ -122,13 +134,13 @@ def profile_likelihood(found: Posterior) -> Figure:
     """
     from jounce.identify.posterior import HALF_DROP  # whose package loads more than a picture needs
 
-    count = len(found.profiles)
+    count = len(posterior.profiles)
     wide = columns_of(count)
     tall = -(-count // wide)
     figure = new_figure(0.4 + 2.1 * tall, 2.9 * wide + 0.5)
     grid = figure.subplots(tall, wide, squeeze=False).ravel()
-    for axes, (path, profile) in zip(grid, found.profiles.items(), strict=False):
-        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(profile.values))))
+    for axes, (path, profile) in zip(grid, posterior.profiles.items(), strict=False):
+        unit = display_unit(posterior.parameters[path].unit or "1", float(np.max(np.abs(profile.values))))
         values = profile.values * unit.factor
         top = int(np.argmax(profile.log_likelihood))
         axes.plot(values, profile.log_likelihood, color=PALETTE[0], label="profile")
@@ -153,13 +165,13 @@ def _curvature(x: Array, y: Array, top: int) -> float:
     return float(-2.0 * np.polyfit(x[near] - x[top], y[near], 2)[0]) if len(x[near]) > 3 else 0.0
 
 
-@styled
-def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
+@in_style
+def posterior_bands(posterior: Posterior, trial: str | None = None) -> Figure:
     """Draw what a posterior predicts for a trial, over what was measured.
 
     Parameters
     ----------
-    found : Posterior
+    posterior : Posterior
         With predictions, as :func:`jounce.posterior` gives it.
     trial : str, optional
         Name of the trial; the first by default.
@@ -170,12 +182,12 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
         Axes for each channel, over time (s): dark what parameters bring in, light all that is counted; below each the
         same less the mean, where a narrow band is seen.
     """
-    if not found.predictions:
-        raise FitError("nothing was predicted", where=found.name, hint="Call posterior without predict=().")
-    if trial is not None and trial not in found.predictions:
-        raise unknown(trial, found.predictions, what="trial", where="trial")
-    name = trial if trial is not None else next(iter(found.predictions))
-    channels = found.predictions[name]
+    if not posterior.predictions:
+        raise FitError("nothing was predicted", where=posterior.name, hint="Call posterior without predict=().")
+    if trial is not None and trial not in posterior.predictions:
+        raise unknown(trial, posterior.predictions, what="trial", where="trial")
+    name = trial if trial is not None else next(iter(posterior.predictions))
+    channels = posterior.predictions[name]
     figure = new_figure(0.9 + 2.9 * len(channels))
     ratios = [2.0, 1.0] * len(channels)
     column = figure.subplots(2 * len(channels), 1, squeeze=False, sharex=True, height_ratios=ratios)[:, 0]

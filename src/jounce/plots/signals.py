@@ -13,8 +13,8 @@ from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
-from jounce.plots.figures import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
-from jounce.plots.thinning import thinned
+from jounce.plots.figures import AFTER, MUTED, PALETTE, in_legend, in_style, legend_above, limits, log_axes, new_figure
+from jounce.plots.thinning import thin
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ _MOST_BY_DEFAULT = 6
 _NO_CONTACT = "#f2c6b5"
 
 
-@styled
+@in_style
 def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figure:
     r"""Draw channels of a recording, measured or simulated, one above the other over the same time.
 
@@ -75,7 +75,7 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     for name, axes in zip(names, rows, strict=True):
         values = run[name].to_numpy()
         unit = display_unit(str(run[name].attrs.get("units", "1")), float(np.abs(values).max(initial=0.0)))
-        few, shown = thinned(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
+        few, shown = thin(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
         axes.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=1.1)
         axes.set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
         axes.set_title(name)
@@ -133,7 +133,7 @@ def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(begin), int(end) - 1) for begin, end in zip(edges[::2], edges[1::2], strict=True)]
 
 
-@styled
+@in_style
 def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed") -> Figure:
     r"""Draw the variables of a study against what was varied.
 
@@ -227,7 +227,7 @@ def _value(coordinate: xr.DataArray, value: Any) -> str:
 _POINTS = 6000
 
 
-@styled
+@in_style
 def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None) -> Figure:
     """Draw the height of one or several roads against distance.
 
@@ -279,7 +279,7 @@ def sample_segments(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np
     return x, segments.evaluate(x)[0]
 
 
-@styled
+@in_style
 def frequency_response(
     model: LinearModel,
     outputs: Sequence[str] = ("sprung.az", "tyre.force"),
@@ -346,13 +346,13 @@ def frequency_response(
     return figure
 
 
-@styled
-def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
+@in_style
+def roughness(profile: Roughness, distance: Array, height: Array) -> Figure:
     """Draw a profile and the international roughness index of each of its segments.
 
     Parameters
     ----------
-    found : Roughness
+    profile : Roughness
         What :func:`jounce.iri` gives, m/km.
     distance, height : ndarray, shape (n,)
         The profile, m.
@@ -373,15 +373,15 @@ def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
     figure = new_figure(3.8)
     above, below = figure.subplots(2, 1, sharex=True)
     unit = display_unit("m", float(np.abs(height).max(initial=0.0)))
-    few, shown = thinned(distance, height, float(distance[0]), float(distance[-1]), MOST_COLUMNS)
+    few, shown = thin(distance, height, float(distance[0]), float(distance[-1]), MOST_COLUMNS)
     along, index = display_unit_for("m", largest=float(distance[-1])), display_unit("m/km")
     above.plot(few * along.factor, shown * unit.factor, color=PALETTE[0], linewidth=0.9)
     above.set_ylabel(unit.label("height"))
-    starts = [along.factor * part.start for part in found.segments]
-    widths = [along.factor * (part.end - part.start) for part in found.segments]
-    values = [index.factor * part.iri_m_per_km for part in found.segments]
+    starts = [along.factor * part.start for part in profile.segments]
+    widths = [along.factor * (part.end - part.start) for part in profile.segments]
+    values = [index.factor * part.iri_m_per_km for part in profile.segments]
     below.bar(starts, values, widths, align="edge", color=AFTER, edgecolor="white", linewidth=0.8)
-    below.axhline(index.factor * found.iri_m_per_km, color=MUTED, linewidth=1.0, linestyle="--")
+    below.axhline(index.factor * profile.iri_m_per_km, color=MUTED, linewidth=1.0, linestyle="--")
     below.set(ylabel=index.label("IRI"), xlabel=along.label("distance"))
     limits(below, along.factor * float(distance[0]), along.factor * float(distance[-1]))
     return figure
@@ -390,13 +390,13 @@ def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
 _MODES_ACROSS = 4
 
 
-@styled
-def modes(found: Sequence[Mode]) -> Figure:
+@in_style
+def modes(natural_modes: Sequence[Mode]) -> Figure:
     """Draw the shapes of the modes of a rig as bars: real part of each coordinate, the largest being 1.
 
     Parameters
     ----------
-    found : sequence of Mode
+    natural_modes : sequence of Mode
         Modes by rising frequency.
 
     Returns
@@ -410,14 +410,14 @@ def modes(found: Sequence[Mode]) -> Figure:
     >>> len(modes(jn.modes(jn.load("kart-quarter-car"))).axes)
     2
     """
-    if not found:
+    if not natural_modes:
         raise SimulationError("no oscillating mode to draw")
-    names = list(found[0].shape)
-    across = min(len(found), _MODES_ACROSS)
-    down = -(-len(found) // across)
+    names = list(natural_modes[0].shape)
+    across = min(len(natural_modes), _MODES_ACROSS)
+    down = -(-len(natural_modes) // across)
     figure = new_figure(down * (1.6 + 0.18 * len(names)) + 0.6, min(2.2 * across + 1.4, 10.0))
     grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
-    for mode, axes in zip(found, grid, strict=False):
+    for mode, axes in zip(natural_modes, grid, strict=False):
         axes.barh(range(len(names)), [mode.shape[name][0] for name in names], 0.5, color=AFTER)
         axes.axvline(0.0, color="#9aa1a9", linewidth=0.8)
         axes.set_yticks(range(len(names)), names)
@@ -425,7 +425,7 @@ def modes(found: Sequence[Mode]) -> Figure:
         axes.grid(axis="y", visible=False)
         axes.set_ylim(len(names) - 0.4, -0.6)  # in their order from the top
         axes.set_title(f"{number(mode.frequency_hz, 3)} Hz\ndamping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
-    for empty, above in zip(grid[len(found) :], grid[len(found) - across :], strict=False):
+    for empty, above in zip(grid[len(natural_modes) :], grid[len(natural_modes) - across :], strict=False):
         empty.remove()
         above.tick_params(labelbottom=True)
     # Displacements and angles of a shape share an axis in SI, so a short bar is not always a small motion.

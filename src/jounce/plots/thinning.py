@@ -7,7 +7,7 @@ import numpy as np
 from jounce.core.types import Array
 
 
-def thinned(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[Array, Array]:
+def thin(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[Array, Array]:
     """Leave out points that no screen of so many columns shows; the lowest and highest of each column stay.
 
     Parameters
@@ -28,7 +28,7 @@ def thinned(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[
     --------
     >>> x = np.linspace(0.0, 1.0, 10_000)
     >>> y = np.where(x == x[5_000], 7.0, np.sin(x))
-    >>> few, seen = thinned(x, y, 0.0, 1.0, 100)
+    >>> few, seen = thin(x, y, 0.0, 1.0, 100)
     >>> len(few) <= 400, float(seen.max())
     (True, 7.0)
     """

@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError
-from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, in_lines, legend_outside, new_figure, styled
+from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, in_lines, in_style, legend_outside, new_figure
 from jounce.plots.parallel import between_ends, draw_uprights
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 from jounce.variants.summary import bands
@@ -32,7 +32,7 @@ _INDICES = {  # of each design: what is drawn beside the swings, with its words
 _HEADINGS = {"saltelli": "share of the variance", "morris": "effect of the whole range"}
 
 
-@styled
+@in_style
 def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
     """Draw what metrics depend on, the number that matters most above.
 
@@ -122,7 +122,7 @@ def _rows(axes: Axes, names: Sequence[str]) -> None:
     axes.grid(axis="y", visible=False)
 
 
-@styled
+@in_style
 def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
     """Draw every metric over every number that varies, a dot a variant, with the mean of each tenth of the variants.
 
@@ -173,7 +173,7 @@ def _course(x: Array, y: Array) -> tuple[Array, Array]:
     return np.array([x[part].mean() for part in parts]), np.array([y[part].mean() for part in parts])
 
 
-@styled
+@in_style
 def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
     """Draw every variant as a line through its numbers and metrics, coloured by the first metric.
 
@@ -228,7 +228,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     return figure
 
 
-@styled
+@in_style
 def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None) -> Figure:
     """Draw the median of channels over the variants, with bands that hold half and nine tenths of them at each time.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from jounce.core.display import display_unit
 from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES
 from jounce.kinematics.adjustments import write_setting
-from jounce.plots.display import number, settled_number
+from jounce.plots.display import number, settle_number
 from jounce.report.page import Block, Fact, Facts, Page, PageTable, answer_page, findings_blocks
 
 if TYPE_CHECKING:
@@ -19,18 +19,19 @@ _NOTHING = 1e-6
 """Changes per mm, degree or N below which rounding is left of nothing."""
 
 
-def adjustment_page(found: Adjustment, *, title: str) -> Page:
+def adjustment_page(adjustment: Adjustment, *, title: str) -> Page:
     """Put what adjustments do to a rig on a page."""
-    report, is_changed = found.report, bool(found.report.settings)
+    report, is_changed = adjustment.report, bool(adjustment.report.settings)
     states = {"before": report.before, "after": report.after} if is_changed else {"present": report.before}
     answer: list[Block] = [_states(states)]
     if not is_changed:
         answer.append(_effects(report))
     answer.append(_over_travel(report, is_changed=is_changed))
-    if found.lengths is not None:
-        reached = f"camber {write_setting(found.lengths.camber, 'rad')}, toe {write_setting(found.lengths.toe, 'rad')}"
+    if adjustment.lengths is not None:
+        camber, toe = (write_setting(angle, "rad") for angle in (adjustment.lengths.camber, adjustment.lengths.toe))
+        reached = f"camber {camber}, toe {toe}"
         answer.append(Facts((Fact("reached", reached),)))
-    answer += findings_blocks(found.findings)
+    answer += findings_blocks(adjustment.findings)
     return answer_page(title, answer)
 
 
@@ -39,7 +40,7 @@ def _states(states: dict[str, WheelState]) -> PageTable:
     for name, si in QUANTITIES.items():
         unit = display_unit(si)
         values = (getattr(state, name) for state in states.values())
-        rows.append((name.replace("_", " "), unit.name or "–", *(settled_number(value, si, unit) for value in values)))
+        rows.append((name.replace("_", " "), unit.name or "–", *(settle_number(value, si, unit) for value in values)))
     return PageTable("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
 
 
@@ -51,7 +52,7 @@ def _effects(report: AdjustReport) -> PageTable:
         own = display_unit(effect.unit)
         rows.append((effect.setting, *([""] * len(units))))
         for value, state in ((effect.lowest, effect.at_lowest), (effect.highest, effect.at_highest)):
-            cells = (settled_number(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
+            cells = (settle_number(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
             rows.append((f"    {value * own.factor:.4g} {own.name}", *cells))
         slopes = (_slope(effect.per_unit[name], unit.factor / own.factor) for name, unit in units.items())
         rows.append((f"    per {own.name}", *slopes))
@@ -68,12 +69,12 @@ def _slope(value: float | None, factor: float) -> str:
 
 def _over_travel(report: AdjustReport, *, is_changed: bool) -> PageTable:
     """Write quantities over travel, each before and after."""
-    found, along = report.over_travel, display_unit("m")
+    quantities, along = report.over_travel, display_unit("m")
     when = ("before", "after") if is_changed else ("",)
-    rows = tuple(row for name in found.before for row in _rows(report, name, when))
-    places = (f"{travel * along.factor:.4g} {along.name}" for travel in found.travel)
+    rows = tuple(row for name in quantities.before for row in _rows(report, name, when))
+    places = (f"{travel * along.factor:.4g} {along.name}" for travel in quantities.travel)
     caption = "Over wheel travel, bump positive"
-    return PageTable(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(found.travel))
+    return PageTable(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(quantities.travel))
 
 
 def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
@@ -81,4 +82,4 @@ def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tu
     unit = display_unit(si)
     for label, values in zip(when, (report.over_travel.before, report.over_travel.after), strict=False):
         words = ("", "") if label == "after" else (name.replace("_", " "), unit.name or "–")
-        yield (*words, label, *(settled_number(value, si, unit) for value in values[name]))
+        yield (*words, label, *(settle_number(value, si, unit) for value in values[name]))

@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from jounce.analysis.transfer import TransferEstimate
 
 
-def statistics_page(found: RecordStatistics, *, title: str) -> Page:
+def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
     """Put the statistics of each channel on a page.
 
     Parameters
     ----------
-    found : RecordStatistics
+    statistics : RecordStatistics
         As :func:`jounce.describe_channels` gives it.
     title : str
         Head of the page.
@@ -47,22 +47,27 @@ def statistics_page(found: RecordStatistics, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    rows = [_levels(channel) for channel in found.channels]
+    rows = [_levels(channel) for channel in statistics.channels]
     header = ("channel", "unit", "mean", "r.m.s.", "standard deviation", "minimum", "maximum")
     note = "± half of the 95 % interval, from the scatter of 20 parts of the record."
     levels = PageTable("Level and range", header, tuple(rows), "llrrrrr", note)
     shapes = (
-        TableColumn("channel", [channel.channel for channel in found.channels]),
-        TableColumn("crest factor", [channel.crest_factor for channel in found.channels], "1"),
-        TableColumn("skewness", [channel.skewness for channel in found.channels], "1"),
-        TableColumn("kurtosis", [channel.kurtosis for channel in found.channels], "1"),
-        TableColumn("crossings per second", [channel.crossings for channel in found.channels], "Hz"),
+        TableColumn("channel", [channel.channel for channel in statistics.channels]),
+        TableColumn("crest factor", [channel.crest_factor for channel in statistics.channels], "1"),
+        TableColumn("skewness", [channel.skewness for channel in statistics.channels], "1"),
+        TableColumn("kurtosis", [channel.kurtosis for channel in statistics.channels], "1"),
+        TableColumn("crossings per second", [channel.crossings for channel in statistics.channels], "Hz"),
     )
     gauss = "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
     words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
-    picture = Picture(lambda: figure_of(found), "channels", words, words)
-    blocks: list[Block] = [levels, *findings_blocks(found.findings), picture, table_of("Distribution", shapes, gauss)]
-    return answer_page(title, blocks, _stretch(found.begin, found.end, found.sample_rate))
+    picture = Picture(lambda: figure_of(statistics), "channels", words, words)
+    blocks: list[Block] = [
+        levels,
+        *findings_blocks(statistics.findings),
+        picture,
+        table_of("Distribution", shapes, gauss),
+    ]
+    return answer_page(title, blocks, _stretch(statistics.begin, statistics.end, statistics.sample_rate))
 
 
 def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
@@ -72,12 +77,12 @@ def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
     return (channel.channel, unit.name or "–", *levels, *(number(value * unit.factor) for value in values))
 
 
-def spectra_page(found: RecordSpectra, *, title: str) -> Page:
+def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
     """Put the spectra of a record on a page, with the peaks that stand out.
 
     Parameters
     ----------
-    found : RecordSpectra
+    spectra : RecordSpectra
         As :func:`jounce.estimate_spectra` gives it.
     title : str
         Head of the page.
@@ -87,31 +92,33 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    low, high = found.interval
+    low, high = spectra.interval
     facts = Facts(
         (
             Fact(
                 "resolution",
-                quantity(found.resolution, "Hz", 3),
-                f"{found.window.capitalize()} segments of {found.segment:.3g} s",
+                quantity(spectra.resolution, "Hz", 3),
+                f"{spectra.window.capitalize()} segments of {spectra.segment:.3g} s",
             ),
             Fact(
-                "degrees of freedom", number(found.degrees_of_freedom, 3), f"{found.averages:.3g} independent segments"
+                "degrees of freedom",
+                number(spectra.degrees_of_freedom, 3),
+                f"{spectra.averages:.3g} independent segments",
             ),
             Fact(
-                f"{100.0 * found.confidence:g} % interval",
+                f"{100.0 * spectra.confidence:g} % interval",
                 f"{number(low, 3)} to {number(high, 3)} of a density",
                 "stationary Gaussian noise",
             ),
         )
     )
-    band = f"r.m.s. from {found.band[0]:.3g} to {found.band[1]:.4g} Hz"
-    rows = tuple((row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in found.channels)
+    band = f"r.m.s. from {spectra.band[0]:.3g} to {spectra.band[1]:.4g} Hz"
+    rows = tuple((row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in spectra.channels)
     table = PageTable("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
     words = "Power spectral density of each channel; shaded: its interval; circles: peaks."
-    picture = Picture(lambda: figure_of(found), "spectra", words, words)
-    blocks: list[Block] = [facts, table, *findings_blocks(found.findings), picture]
-    peaks = [(row, peak) for row in found.channels for peak in row.peaks]
+    picture = Picture(lambda: figure_of(spectra), "spectra", words, words)
+    blocks: list[Block] = [facts, table, *findings_blocks(spectra.findings), picture]
+    peaks = [(row, peak) for row in spectra.channels for peak in row.peaks]
     if peaks:
         cells = tuple(
             (row.channel, number(peak.frequency), quantity(peak.rms, row.unit), f"{number(peak.ratio, 3)} times")
@@ -119,7 +126,7 @@ def spectra_page(found: RecordSpectra, *, title: str) -> Page:
         )
         header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the valley beside it")
         blocks.append(PageTable("Peaks", header, cells, "lrrr"))
-    return answer_page(title, blocks, _stretch(found.begin, found.end, found.sample_rate))
+    return answer_page(title, blocks, _stretch(spectra.begin, spectra.end, spectra.sample_rate))
 
 
 def _peaks(peaks: Sequence[SpectralPeak]) -> str:
@@ -127,12 +134,12 @@ def _peaks(peaks: Sequence[SpectralPeak]) -> str:
     return f"{', '.join(texts)} Hz" if texts else "–"
 
 
-def transfer_page(found: TransferEstimate, *, title: str) -> Page:
+def transfer_page(transfer: TransferEstimate, *, title: str) -> Page:
     """Put a transfer function on a page: what it rests on, gain, phase and coherence.
 
     Parameters
     ----------
-    found : TransferEstimate
+    transfer : TransferEstimate
         As :func:`jounce.estimate_transfer` gives it.
     title : str
         Head of the page.
@@ -142,26 +149,28 @@ def transfer_page(found: TransferEstimate, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    good = found.coherence >= 0.8  # errors of the gain then reach 6 % with 30 segments
+    good = transfer.coherence >= 0.8  # errors of the gain then reach 6 % with 30 segments
     facts = [
-        Fact("estimator", found.estimator, _ESTIMATORS[found.estimator]),
+        Fact("estimator", transfer.estimator, _ESTIMATORS[transfer.estimator]),
         Fact(
             "resolution",
-            quantity(found.resolution, "Hz", 3),
-            f"{found.window.capitalize()} segments of {found.segment:.3g} s",
+            quantity(transfer.resolution, "Hz", 3),
+            f"{transfer.window.capitalize()} segments of {transfer.segment:.3g} s",
         ),
-        Fact("independent segments", number(found.averages, 3), f"chance stays below {found.significant:.2g}"),
+        Fact("independent segments", number(transfer.averages, 3), f"chance stays below {transfer.significant:.2g}"),
         Fact("coherence of 0.8 or more", percent(float(good.mean())), "of the band"),
     ]
-    words = f"Gain, phase and coherence of {found.output} over {found.given}; shaded: intervals."
-    if found.model is not None:
-        apart = np.abs(found.response[good] / found.model[good] - 1.0) if good.any() else np.empty(0)
+    words = f"Gain, phase and coherence of {transfer.output} over {transfer.given}; shaded: intervals."
+    if transfer.model is not None:
+        apart = np.abs(transfer.response[good] / transfer.model[good] - 1.0) if good.any() else np.empty(0)
         usual = float(np.median(apart)) if apart.size else None
         facts.append(Fact("model", percent(usual), "median distance where the coherence is 0.8 or more"))
         words += " Dashed: the linear model."
-    picture = Picture(lambda: figure_of(found), "transfer", words, words)
-    blocks: list[Block] = [Facts(tuple(facts)), *findings_blocks(found.findings), picture, _octaves(found)]
-    subtitle = f"{found.output} over {found.given}; {_stretch(found.begin, found.end, found.sample_rate)}"
+    picture = Picture(lambda: figure_of(transfer), "transfer", words, words)
+    blocks: list[Block] = [Facts(tuple(facts)), *findings_blocks(transfer.findings), picture, _octaves(transfer)]
+    subtitle = (
+        f"{transfer.output} over {transfer.given}; {_stretch(transfer.begin, transfer.end, transfer.sample_rate)}"
+    )
     return answer_page(title, blocks, subtitle)
 
 
@@ -172,29 +181,29 @@ _ESTIMATORS = {
 }
 
 
-def _octaves(found: TransferEstimate) -> PageTable:
+def _octaves(transfer: TransferEstimate) -> PageTable:
     """Gain, phase and coherence at third octaves."""
-    f = found.frequency
+    f = transfer.frequency
     wanted = 10.0 ** (np.arange(-20, 41) / 10.0)
     inside = wanted[(wanted >= f[0]) & (wanted <= f[-1])]
     lines = sorted({int(np.argmin(abs(f - at))) for at in inside})
-    output, given = display_unit(found.output_unit), display_unit(found.given_unit)
+    output, given = display_unit(transfer.output_unit), display_unit(transfer.given_unit)
     factor = output.factor / given.factor
-    half = found.factor * found.gain_error
+    half = transfer.factor * transfer.gain_error
     rows = tuple(
         (
             number(float(f[i]), 3),
-            f"{number(float(found.gain[i]) * factor, 3)} ± {percent(_finite(half[i]), 1)}",
-            f"{number(float(np.degrees(found.phase[i])), 3)}",
-            number(float(found.coherence[i]), 3),
-            *(() if found.model is None else (number(float(abs(found.model[i])) * factor, 3),)),
+            f"{number(float(transfer.gain[i]) * factor, 3)} ± {percent(_finite(half[i]), 1)}",
+            f"{number(float(np.degrees(transfer.phase[i])), 3)}",
+            number(float(transfer.coherence[i]), 3),
+            *(() if transfer.model is None else (number(float(abs(transfer.model[i])) * factor, 3),)),
         )
         for i in lines
     )
     per = ratio_unit(output.name, given.name)
-    model = () if found.model is None else ("gain of the model",)
+    model = () if transfer.model is None else ("gain of the model",)
     header = ("frequency [Hz]", f"gain [{per}]", "phase [°]", "coherence", *model)
-    note = f"At third octaves; ± half of the {100.0 * found.confidence:g} % interval."
+    note = f"At third octaves; ± half of the {100.0 * transfer.confidence:g} % interval."
     return PageTable("Transfer function", header, rows, "r" * len(header), note)
 
 
@@ -202,12 +211,12 @@ def _finite(value: float) -> float | None:
     return float(value) if value < 10.0 else None  # an error of ten times the value says nothing
 
 
-def measured_modes_page(found: FittedModes, *, title: str) -> Page:
+def measured_modes_page(fitted: FittedModes, *, title: str) -> Page:
     """Put measured modes on a page, beside those of a model.
 
     Parameters
     ----------
-    found : FittedModes
+    fitted : FittedModes
         As :func:`jounce.fit_modes` gives it.
     title : str
         Head of the page.
@@ -217,26 +226,26 @@ def measured_modes_page(found: FittedModes, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    has_model = any(mode.model_frequency is not None for mode in found.modes)
-    rows = tuple(_mode(mode, has_model=has_model) for mode in found.modes)
+    has_model = any(mode.model_frequency is not None for mode in fitted.modes)
+    rows = tuple(_mode(mode, has_model=has_model) for mode in fitted.modes)
     model = ("model [Hz]", "apart", "model", "apart") if has_model else ()
     header = ("frequency [Hz]", *model[:2], "damping ratio", *model[2:], "orders that agree")
     note = "± half of the 95 % interval. Undamped natural frequencies."
     if has_model:
         note += " A model's value in the interval is not apart from what was measured."
     what = {
-        "transfer": f"transfer functions from {found.given} to {', '.join(found.outputs)}",
-        "spectrum": f"spectra of {', '.join(found.outputs)}",
-        "decay": f"the free decay of {', '.join(found.outputs)}",
-    }[found.kind]
+        "transfer": f"transfer functions from {fitted.given} to {', '.join(fitted.outputs)}",
+        "spectrum": f"spectra of {', '.join(fitted.outputs)}",
+        "decay": f"the free decay of {', '.join(fitted.outputs)}",
+    }[fitted.kind]
     words = "Measured (thin) and fitted; below: poles of denominators of rising order, filled where they are stable."
     if has_model:
         words += " Dashed: modes of the model."
-    picture = Picture(lambda: figure_of(found), "modes", words, words)
+    picture = Picture(lambda: figure_of(fitted), "modes", words, words)
     table = PageTable(f"Modes of {what}", header, rows, "r" * len(header), note)
-    blocks: list[Block] = [*([table] if rows else []), *findings_blocks(found.findings), picture]
-    band = f"{found.band[0]:.3g} to {found.band[1]:.4g} Hz"
-    subtitle = f"{band}; {_stretch(found.begin, found.end, found.sample_rate)}"
+    blocks: list[Block] = [*([table] if rows else []), *findings_blocks(fitted.findings), picture]
+    band = f"{fitted.band[0]:.3g} to {fitted.band[1]:.4g} Hz"
+    subtitle = f"{band}; {_stretch(fitted.begin, fitted.end, fitted.sample_rate)}"
     return answer_page(title, blocks, subtitle)
 
 
@@ -252,12 +261,12 @@ def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
     return (*cells, str(mode.orders))
 
 
-def integration_page(found: Integration, *, title: str) -> Page:
+def integration_page(integration: Integration, *, title: str) -> Page:
     """Put integrated accelerations on a page, with the band in which they are valid and their errors.
 
     Parameters
     ----------
-    found : Integration
+    integration : Integration
         As :func:`jounce.integrate_acceleration` gives it.
     title : str
         Head of the page.
@@ -267,40 +276,40 @@ def integration_page(found: Integration, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    inside = (found.time >= found.valid[0]) & (found.time <= found.valid[1])
+    inside = (integration.time >= integration.valid[0]) & (integration.time <= integration.valid[1])
     rows = tuple(
         (
-            one.displacement_channel,
-            quantity(float(np.std(one.displacement[inside])), one.displacement_unit, 3),
-            quantity(float(np.ptp(one.displacement[inside])), one.displacement_unit, 3),
-            quantity(one.displacement_error, one.displacement_unit, 2),
-            quantity(one.removed, one.displacement_unit, 2),
-            f"{number(one.band[0], 3)} to {number(one.band[1])} Hz",
+            channel.displacement_channel,
+            quantity(float(np.std(channel.displacement[inside])), channel.displacement_unit, 3),
+            quantity(float(np.ptp(channel.displacement[inside])), channel.displacement_unit, 3),
+            quantity(channel.displacement_error, channel.displacement_unit, 2),
+            quantity(channel.removed, channel.displacement_unit, 2),
+            f"{number(channel.band[0], 3)} to {number(channel.band[1])} Hz",
         )
-        for one in found.channels
+        for channel in integration.channels
     )
     header = ("channel", "r.m.s.", "peak to peak", "noise adds", "removed", "amplitudes within 5 %")
     note = {
         "random": "Removed: displacement below the corner, of drift and of motion that is lost.",
         "transient": "Removed: what offset and drift of the sensor would have added.",
         "periodic": "Removed: what does not repeat itself.",
-    }[found.motion]
+    }[integration.motion]
     table = PageTable("Displacements", header, rows, "lrrrrr", note)
     speeds = tuple(
         (
-            one.velocity_channel,
-            quantity(float(np.std(one.velocity[inside])), one.velocity_unit, 3),
-            quantity(one.velocity_error, one.velocity_unit, 2),
-            f"{number(one.noise, 3)} {one.unit.replace('^2', '²')}/√Hz",
-            "–" if one.corner == 0.0 else f"{number(one.corner, 3)} Hz",
+            channel.velocity_channel,
+            quantity(float(np.std(channel.velocity[inside])), channel.velocity_unit, 3),
+            quantity(channel.velocity_error, channel.velocity_unit, 2),
+            f"{number(channel.noise, 3)} {channel.unit.replace('^2', '²')}/√Hz",
+            "–" if channel.corner == 0.0 else f"{number(channel.corner, 3)} Hz",
         )
-        for one in found.channels
+        for channel in integration.channels
     )
     velocity = PageTable("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
     words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
-    picture = Picture(lambda: figure_of(found), "integrated", words, words)
-    blocks: list[Block] = [table, *findings_blocks(found.findings), picture, velocity]
-    subtitle = f"{found.motion} motion, valid from {found.valid[0]:.4g} s to {found.valid[1]:.4g} s"
+    picture = Picture(lambda: figure_of(integration), "integrated", words, words)
+    blocks: list[Block] = [table, *findings_blocks(integration.findings), picture, velocity]
+    subtitle = f"{integration.motion} motion, valid from {integration.valid[0]:.4g} s to {integration.valid[1]:.4g} s"
     return answer_page(title, blocks, subtitle)
 
 

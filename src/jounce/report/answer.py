@@ -11,7 +11,7 @@ from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 from jounce.core.units import to_si
 from jounce.identify.estimate import Estimate
-from jounce.plots.display import estimate_cells, given, number
+from jounce.plots.display import estimate_cells, number, setting_text
 from jounce.report.characterisation import unit_at
 from jounce.report.chart import Chart, Panel, Series
 from jounce.report.page import Cell, PageTable
@@ -55,30 +55,30 @@ def answers(result: CampaignResult) -> tuple[Answer, ...]:
     chain = decisive(result)
     fitted = {path: (strategy, p) for strategy in chain for path, p in strategy.update.parameters.items()}
     described = result.rig.parameters()
-    found: list[Answer] = []
+    rows: list[Answer] = []
     for item in result.characterisation.replaced:
         pressure = _pressure(item.source)
         strategy, p = fitted.get(item.path, (None, None))
         own = strategy is None or pressure is None or pressure == _pressure_of(result, strategy)
-        found.append(
+        rows.append(
             Answer(
                 item.path,
-                "" if pressure is None else given(pressure, "Pa"),
+                "" if pressure is None else setting_text(pressure, "Pa"),
                 _unit(result, item.path),
                 item.described,
                 _bench_estimate(result, item.measured, item.standard_error),
                 p if own else None,
-                None if own or not chain else _carried(chain[-1], item.path, pressure),
+                None if own or not chain else _value_at_pressure(chain[-1], item.path, pressure),
                 _law(strategy, item.path) if own else None,
                 strategy.truth.get(item.path) if own and strategy is not None else None,
             )
         )
-    measured = {one.path for one in found}
+    measured = {row.path for row in rows}
     for path, (strategy, p) in fitted.items():
         if path not in measured:
             law, truth = _law(strategy, path), strategy.truth.get(path)
-            found.append(Answer(path, "", _unit(result, path), described.get(path), None, p, None, law, truth))
-    return tuple(found)
+            rows.append(Answer(path, "", _unit(result, path), described.get(path), None, p, None, law, truth))
+    return tuple(rows)
 
 
 def _unit(result: CampaignResult, path: str) -> str:
@@ -102,7 +102,7 @@ def _pressure_of(result: CampaignResult, strategy: StrategyResult) -> float | No
     return None if first is None else first.tyre_pressure
 
 
-def _carried(strategy: StrategyResult, path: str, pressure: float | None) -> float | None:
+def _value_at_pressure(strategy: StrategyResult, path: str, pressure: float | None) -> float | None:
     try:
         return strategy.knowledge.rig_for(None, pressure, {}).parameters().get(path)
     except JounceError:
@@ -110,51 +110,51 @@ def _carried(strategy: StrategyResult, path: str, pressure: float | None) -> flo
 
 
 def _law(strategy: StrategyResult | None, path: str) -> LawEstimate | None:
-    found = strategy.update.discrepancy if strategy is not None else None
-    return None if found is None else found.parameters.get(path)
+    discrepancy = strategy.update.discrepancy if strategy is not None else None
+    return None if discrepancy is None else discrepancy.parameters.get(path)
 
 
 def _bench_estimate(result: CampaignResult, measured: float, error: float | None) -> Estimate:
     """Give the bench's estimate with its interval: the one whose value replaced that of the rig file."""
-    for one in _estimates(result):
-        if math.isclose(one.value, measured, rel_tol=1e-12):
-            return one
+    for estimate in _estimates(result):
+        if math.isclose(estimate.value, measured, rel_tol=1e-12):
+            return estimate
     return Estimate(measured, error)
 
 
 def _estimates(result: CampaignResult) -> Iterator[Estimate]:
     bench = result.characterisation
-    for found in (bench.spring, *bench.tyre.values()):
-        if found is not None:
-            yield found.stiffness
-            if found.tangent_stiffness is not None:
-                yield found.tangent_stiffness
+    for stiffness in (bench.spring, *bench.tyre.values()):
+        if stiffness is not None:
+            yield stiffness.stiffness
+            if stiffness.tangent_stiffness is not None:
+                yield stiffness.tangent_stiffness
     yield from (choice.at_strut for choice in bench.damping_choices if choice.at_strut is not None)
 
 
-def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> PageTable:
+def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> PageTable:
     """Values in a table: described, bench, updated model, the part, truth."""
-    truth = any(one.truth is not None for one in found)
-    laws = any(one.law is not None for one in found)
+    truth = any(row.truth is not None for row in parameters)
+    laws = any(row.law is not None for row in parameters)
     rows = []
-    for one in found:
-        unit = display_unit(one.unit, _largest(one))
-        cells: list[Cell | str] = [Cell(one.path, note=one.where)]
-        cells.append(number(None if one.described is None else one.described * unit.factor))
-        cells.append(_cell(one.bench, one.unit))
-        if one.carried is not None:
-            is_measured = one.bench is not None and math.isclose(one.carried, one.bench.value, rel_tol=1e-9)
+    for row in parameters:
+        unit = display_unit(row.unit, _largest(row))
+        cells: list[Cell | str] = [Cell(row.path, note=row.where)]
+        cells.append(number(None if row.described is None else row.described * unit.factor))
+        cells.append(_cell(row.bench, row.unit))
+        if row.carried is not None:
+            is_measured = row.bench is not None and math.isclose(row.carried, row.bench.value, rel_tol=1e-9)
             note = "as measured" if is_measured else "scaled likewise"
-            cells.append(Cell(number(one.carried * unit.factor), "muted", note))
-        elif one.updated is not None and one.updated.at_bound:
-            cells.append(Cell(estimate_cells(one.updated, one.unit)[0], "fair", "at its bound"))
+            cells.append(Cell(number(row.carried * unit.factor), "muted", note))
+        elif row.updated is not None and row.updated.at_bound:
+            cells.append(Cell(estimate_cells(row.updated, row.unit)[0], "fair", "at its bound"))
         else:
-            cells.append(_cell(one.updated, one.unit))
+            cells.append(_cell(row.updated, row.unit))
         if laws:
-            cells.append(_cell(_law_estimate(one.law), one.unit))
+            cells.append(_cell(_law_estimate(row.law), row.unit))
         if truth:
-            cells.append(number(None if one.truth is None else one.truth * unit.factor, 4))
-        cells += [unit.name or "–", _word(one)]
+            cells.append(number(None if row.truth is None else row.truth * unit.factor, 4))
+        cells += [unit.name or "–", _word(row)]
         rows.append(tuple(cells))
     header = ["parameter", "rig file", "bench", "updated model"]
     header += ["the part, model error counted"] * laws + ["truth"] * truth + ["unit", "of the part"]
@@ -174,13 +174,17 @@ def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> PageTable
     )
 
 
-def _largest(one: Answer) -> float:
-    values = [one.described, one.truth, *(found.value for found in (one.bench, one.updated) if found is not None)]
+def _largest(row: Answer) -> float:
+    values = [
+        row.described,
+        row.truth,
+        *(estimate.value for estimate in (row.bench, row.updated) if estimate is not None),
+    ]
     return max((abs(value) for value in values if value is not None), default=0.0)
 
 
-def _cell(found: Estimate | UpdatedParameter | None, si: str) -> Cell | str:
-    value, _, interval, _ = estimate_cells(found, si)
+def _cell(estimate: Estimate | UpdatedParameter | None, si: str) -> Cell | str:
+    value, _, interval, _ = estimate_cells(estimate, si)
     return value if interval == "–" else Cell(value, note=interval)
 
 
@@ -188,12 +192,12 @@ def _law_estimate(law: LawEstimate | None) -> Estimate | None:
     return None if law is None else Estimate(law.value, 0.5 * law.half_width, law.interval)
 
 
-def _word(one: Answer) -> Cell | str:
-    if one.law is not None:
-        return Cell("identified", "good") if one.law.identified else Cell("not identified", "fair", one.law.why)
-    if one.updated is not None:
+def _word(row: Answer) -> Cell | str:
+    if row.law is not None:
+        return Cell("identified", "good") if row.law.identified else Cell("not identified", "fair", row.law.why)
+    if row.updated is not None:
         return Cell("not said", "muted", "noise only: fewer than three trials fitted")
-    return Cell("bench only", "muted") if one.bench is not None else "–"
+    return Cell("bench only", "muted") if row.bench is not None else "–"
 
 
 _LONGEST_TITLE = 27
@@ -201,9 +205,9 @@ _LONGEST_TITLE = 27
 _LANES = ("rig file", "bench", "updated model", "the part", "truth")
 
 
-def answer_chart(found: tuple[Answer, ...]) -> Chart | None:
+def answer_chart(rows: tuple[Answer, ...]) -> Chart | None:
     """Draw each parameter's values below each other with their 95 % intervals; None without any two to compare."""
-    panels = tuple(panel for one in found if (panel := _panel(one)) is not None)
+    panels = tuple(panel for row in rows if (panel := _panel(row)) is not None)
     if not panels:
         return None
     words = "; ".join(f"{panel.title}: {', '.join(panel.lanes)}" for panel in panels)
@@ -217,19 +221,19 @@ def answer_chart(found: tuple[Answer, ...]) -> Chart | None:
     )
 
 
-def _panel(one: Answer) -> Panel | None:
-    unit = display_unit(one.unit, _largest(one))
+def _panel(row: Answer) -> Panel | None:
+    unit = display_unit(row.unit, _largest(row))
     shown: list[tuple[str, float, tuple[float, float] | None, str, str]] = []
-    if one.described is not None:
-        shown.append((_LANES[0], one.described, None, "muted", "rings"))
-    if one.bench is not None:
-        shown.append((_LANES[1], one.bench.value, one.bench.interval, "before", "diamonds"))
-    if one.updated is not None:
-        shown.append((_LANES[2], one.updated.value, one.updated.interval, "after", "dots"))
-    if one.law is not None:
-        shown.append((_LANES[3], one.law.value, one.law.interval, "other-1", "squares"))
-    if one.truth is not None:
-        shown.append((_LANES[4], one.truth, None, "bad", "crosses"))
+    if row.described is not None:
+        shown.append((_LANES[0], row.described, None, "muted", "rings"))
+    if row.bench is not None:
+        shown.append((_LANES[1], row.bench.value, row.bench.interval, "before", "diamonds"))
+    if row.updated is not None:
+        shown.append((_LANES[2], row.updated.value, row.updated.interval, "after", "dots"))
+    if row.law is not None:
+        shown.append((_LANES[3], row.law.value, row.law.interval, "other-1", "squares"))
+    if row.truth is not None:
+        shown.append((_LANES[4], row.truth, None, "bad", "crosses"))
     if len(shown) < 2:
         return None
     series = []
@@ -237,8 +241,8 @@ def _panel(one: Answer) -> Panel | None:
         if interval is not None:
             series.append(Series([end * unit.factor for end in interval], [lane, lane], role, "thick"))
         series.append(Series([value * unit.factor], [lane], role, mark))  # type: ignore[arg-type]
-    verticals = ((one.truth * unit.factor, "bad", ""),) if one.truth is not None else ()
-    title = f"{one.path}, {one.where}" if one.where else one.path
+    verticals = ((row.truth * unit.factor, "bad", ""),) if row.truth is not None else ()
+    title = f"{row.path}, {row.where}" if row.where else row.path
     while len(title) > _LONGEST_TITLE and "." in title.partition(",")[0]:
         title = title.partition(".")[2]  # the table above has the whole path
     return Panel(

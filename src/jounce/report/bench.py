@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from jounce.bench.springs import SpringComparison
 
 
-def belt_speed_page(found: BeltSpeeds, *, title: str) -> Page:
+def belt_speed_page(speeds: BeltSpeeds, *, title: str) -> Page:
     """Put the belt speed, from the inverter and from the photo-sensor, on a page."""
     blocks: list[Block] = []
-    if found.inverter is not None:
-        drive = found.inverter
+    if speeds.inverter is not None:
+        drive = speeds.inverter
         rows = [
             ("inverter frequency", drive.inverter_frequency, "Hz"),
             ("motor speed", drive.motor_speed, "rad/s"),
@@ -37,37 +37,39 @@ def belt_speed_page(found: BeltSpeeds, *, title: str) -> Page:
             ("obstacle recurs every", drive.recurrence_time, "s"),
         ]
         blocks.append(quantity_table("From the inverter", rows))
-    if found.photo_sensor is not None:
-        counted = found.photo_sensor
+    if speeds.photo_sensor is not None:
+        counted = speeds.photo_sensor
         estimates = (counted.cylinder_speed, counted.speed)
-        lows, highs = zip(*(one.interval or (None, None) for one in estimates), strict=True)
+        lows, highs = zip(*(estimate.interval or (None, None) for estimate in estimates), strict=True)
         columns = (
             TableColumn("quantity", ["cylinder speed [rad/s]", "belt speed [m/s]"]),
-            TableColumn("value", [one.value for one in estimates], "1"),
-            TableColumn("standard error", [one.standard_error for one in estimates], "1"),
+            TableColumn("value", [estimate.value for estimate in estimates], "1"),
+            TableColumn("standard error", [estimate.standard_error for estimate in estimates], "1"),
             TableColumn("95 % interval, from", lows, "1"),
             TableColumn("to", highs, "1"),
         )
         note = f"One pulse corresponds to {size(counted.resolution, 'm/s', 'speed')}; "
         note += f"the obstacle recurs every {counted.recurrence_time:.4g} s."
         blocks.append(table_of("From the photo-sensor", columns, note))
-    return answer_page(title, [*blocks, *findings_blocks(found.findings)])
+    return answer_page(title, [*blocks, *findings_blocks(speeds.findings)])
 
 
-def drive_page(found: DriveAssessment, *, title: str) -> Page:
+def drive_page(assessment: DriveAssessment, *, title: str) -> Page:
     """Put the margin of the drive and the attainable speed on a page."""
     blocks: list[Block] = []
-    if found.margin is not None:
-        one = found.margin
-        caption = f"Drive at {size(one.speed, 'm/s', 'speed')}, inverter at {one.inverter_frequency:.4g} Hz"
+    if assessment.margin is not None:
+        margin = assessment.margin
+        caption = f"Drive at {size(margin.speed, 'm/s', 'speed')}, inverter at {margin.inverter_frequency:.4g} Hz"
         columns = (
             TableColumn("", ["pull at the belt [N]", "power at the belt [W]", "torque of the motor [N m]", "margin"]),
-            TableColumn("required", [one.required_force, one.required_power, one.required_torque, None], "1"),
-            TableColumn("available", [one.available_force, one.available_power, one.rated_torque, one.margin], "1"),
-            TableColumn("continuous", [one.continuous_force, None, None, one.continuous_margin], "1"),
+            TableColumn("required", [margin.required_force, margin.required_power, margin.required_torque, None], "1"),
+            TableColumn(
+                "available", [margin.available_force, margin.available_power, margin.rated_torque, margin.margin], "1"
+            ),
+            TableColumn("continuous", [margin.continuous_force, None, None, margin.continuous_margin], "1"),
         )
         blocks.append(table_of(caption, columns))
-    fastest = found.attainable
+    fastest = assessment.attainable
     rows: list[tuple[str, float | None, str]] = [
         (f"attainable speed, limited by {fastest.limited_by}", fastest.speed, "m/s"),
         ("attainable for a short time", fastest.short_time_speed, "m/s"),
@@ -76,32 +78,32 @@ def drive_page(found: DriveAssessment, *, title: str) -> Page:
     if fastest.implied_force is not None:
         rows.append(("pull that would explain the observed ceiling", fastest.implied_force, "N"))
     blocks.append(quantity_table("Attainable", rows))
-    return answer_page(title, [*blocks, *findings_blocks(found.findings)])
+    return answer_page(title, [*blocks, *findings_blocks(assessment.findings)])
 
 
-def similitude_page(found: SimilitudeReport, *, title: str) -> Page:
+def similitude_page(report: SimilitudeReport, *, title: str) -> Page:
     """Put the masses, the scale factors and the violations of a prototype on a page."""
     rows = [
-        ("mass by Eq. 1, same density", found.mass_same_density, "kg"),
-        ("mass by Eq. 1, density of the prototype", found.mass_prototype_density, "kg"),
-        ("mass factor that gives the mass as built", found.effective_mass_factor, "1"),
-        ("full-size density that gives the mass as built", found.density_for_built_mass, "kg/m^3"),
-        ("body bounce frequency of the prototype", found.frequency, "Hz"),
-        ("body bounce frequency of a similar prototype", found.similar_frequency, "Hz"),
+        ("mass by Eq. 1, same density", report.mass_same_density, "kg"),
+        ("mass by Eq. 1, density of the prototype", report.mass_prototype_density, "kg"),
+        ("mass factor that gives the mass as built", report.effective_mass_factor, "1"),
+        ("full-size density that gives the mass as built", report.density_for_built_mass, "kg/m^3"),
+        ("body bounce frequency of the prototype", report.frequency, "Hz"),
+        ("body bounce frequency of a similar prototype", report.similar_frequency, "Hz"),
     ]
     columns = (
-        TableColumn("quantity", [f"{one.name} [{one.unit}]" for one in found.factors]),
-        TableColumn("full size / prototype", [one.factor for one in found.factors], "1"),
-        TableColumn("prototype", [one.prototype for one in found.factors], "1"),
-        TableColumn("full-size equivalent", [one.full_size for one in found.factors], "1"),
+        TableColumn("quantity", [f"{factor.name} [{factor.unit}]" for factor in report.factors]),
+        TableColumn("full size / prototype", [factor.factor for factor in report.factors], "1"),
+        TableColumn("prototype", [factor.prototype for factor in report.factors], "1"),
+        TableColumn("full-size equivalent", [factor.full_size for factor in report.factors], "1"),
     )
     factors = table_of("Similitude under the same gravity", columns)
-    return answer_page(title, [quantity_table("Mass and frequency", rows), factors, *findings_blocks(found.findings)])
+    return answer_page(title, [quantity_table("Mass and frequency", rows), factors, *findings_blocks(report.findings)])
 
 
-def spring_choice_page(found: SpringComparison, *, title: str) -> Page:
+def spring_choice_page(comparison: SpringComparison, *, title: str) -> Page:
     """Put candidate springs side by side on a page, with the recommended one."""
-    rows = found.rows
+    rows = comparison.rows
     columns = (
         TableColumn("", [row.name for row in rows]),
         TableColumn("spring rate", [row.spring_rate for row in rows], "N/m"),
@@ -115,5 +117,9 @@ def spring_choice_page(found: SpringComparison, *, title: str) -> Page:
     )
     return answer_page(
         title,
-        [table_of("Candidates", columns), Paragraph(f"recommended: {found.chosen}"), *findings_blocks(found.findings)],
+        [
+            table_of("Candidates", columns),
+            Paragraph(f"recommended: {comparison.chosen}"),
+            *findings_blocks(comparison.findings),
+        ],
     )

@@ -16,7 +16,7 @@ from jounce.core.serialise import to_json
 from jounce.core.text import slug
 from jounce.identify.estimate import Estimate
 from jounce.plots.campaign import channels_of
-from jounce.plots.display import correlation, estimate_cells, given, milliseconds, number, percent
+from jounce.plots.display import correlation, estimate_cells, milliseconds, number, percent, setting_text
 from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
 from jounce.report.characterisation import characterisation, replaced_table
@@ -43,7 +43,7 @@ from jounce.report.page import (
 )
 from jounce.report.render import write_page
 from jounce.report.strategies import progress
-from jounce.report.trials import chosen_trials, scene_name, trial_chart, trials_viewer
+from jounce.report.trials import scene_name, select_trials, trial_chart, trials_viewer
 from jounce.roads import Road, read_roads
 
 if TYPE_CHECKING:
@@ -131,13 +131,13 @@ def campaign_page(result: CampaignResult) -> Page:
     synthetic, compared, reference = result.campaign.synthetic, result.lumped, result.campaign.reference
     parts = {
         "Answer": lambda: answer(result),
-        **({} if reference is None else {"Published result": lambda: published(result)}),
+        **({} if reference is None else {"Published result": lambda: published_results(result)}),
         "Curves": lambda: curves(result),
         "Validation": lambda: validation(result),
         "Records": lambda: records(result.look),
         "Characterisation": lambda: characterisation(result),
         "Updates": lambda: updates(result),
-        **({} if compared is None else {"Lumped model versus linkage": lambda: lumped(compared)}),
+        **({} if compared is None else {"Lumped model versus linkage": lambda: lumped_model(compared)}),
         "Trials and roads": lambda: trials(result),
         "Findings": lambda: Section("Findings", (Findings(result.findings),)),
         "Method and definitions": lambda: method(result),
@@ -202,12 +202,12 @@ def answer(result: CampaignResult) -> Section:
         blocks.append(Paragraph("Parts of this campaign failed; see Findings for what is missing.", "bad"))
     if not result.trials:
         blocks.append(Paragraph("This campaign contains no trial: there is nothing that the model was held against."))
-    found = answers(result)
-    if found:
+    rows = answers(result)
+    if rows:
         last = chain[-1] if chain else None
         name, count = ("", 0) if last is None else (last.update.name, len(last.fitted_on))
-        blocks.append(answer_table(found, name, count))
-        picture = answer_chart(found)
+        blocks.append(answer_table(rows, name, count))
+        picture = answer_chart(rows)
         if picture is not None:
             blocks.append(picture)
     blocks.append(
@@ -227,7 +227,7 @@ def _where_it_holds(result: CampaignResult) -> str:
             if trial.entry.use == use:
                 by_verdict.setdefault(verdict(trial), []).append(str(trial.entry.number))
         parts = [
-            f"{'trial' if len(numbers) == 1 else 'trials'} {_listed(numbers)} "
+            f"{'trial' if len(numbers) == 1 else 'trials'} {_in_sentence(numbers)} "
             f"{'is' if len(numbers) == 1 else 'are'} {_VERDICT_WORDS[word]}"
             for word, numbers in by_verdict.items()
         ]
@@ -238,8 +238,8 @@ def _where_it_holds(result: CampaignResult) -> str:
 
 def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
     """Findings but those of updates that the final model is not made of: these stand with their updates."""
-    kept = {strategy.update.name for strategy in decisive(result)}
-    superseded = [s.update.name for s in result.strategies if s.update.name not in kept]
+    decisive_names = {strategy.update.name for strategy in decisive(result)}
+    superseded = [s.update.name for s in result.strategies if s.update.name not in decisive_names]
     return tuple(
         finding
         for finding in result.findings
@@ -260,7 +260,7 @@ def _reduction(strategy: StrategyResult) -> Fact:
     update = strategy.update
     label = f"Objective, {update.name}"
     value = percent(-0.01 * update.reduction_percent)
-    numbers = ", ".join(str(one) for one in strategy.fitted_on)
+    numbers = ", ".join(str(trial) for trial in strategy.fitted_on)
     trials = f"trial{'s' if len(strategy.fitted_on) > 1 else ''} {numbers}"
     note = f"{number(update.objective_before)} → {number(update.objective_after)}, fitted on {trials}"
     return Fact(label, value, note)
@@ -278,18 +278,18 @@ def _what_was_done(result: CampaignResult) -> str:
     bench, asked = result.characterisation, result.campaign
     measured = [
         text
-        for text, found in (
+        for text, measurement in (
             ("the spring", bench.spring),
             (f"the tyre at {_count(len(bench.tyre), 'pressure')}", bench.tyre),
             ("the damping from " + _count(len(bench.decays), "free decay"), bench.decay),
         )
-        if found
+        if measurement
     ]
-    first = f"Bench measurements characterise {_listed(measured)}. " if measured else ""
+    first = f"Bench measurements characterise {_in_sentence(measured)}. " if measured else ""
     free = dict.fromkeys(path for strategy in result.strategies for path in strategy.update.parameters)
     second = (
         f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} were completed; fitted: "
-        f"{_listed(list(free))}. "
+        f"{_in_sentence(list(free))}. "
         if result.strategies
         else "No parameter was updated. "
     )
@@ -303,7 +303,7 @@ def _count(number_of: int, word: str) -> str:
     return f"{number_of} {word}" if number_of == 1 else f"{number_of} {word}s"
 
 
-def _listed(items: list[str]) -> str:
+def _in_sentence(items: list[str]) -> str:
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}" if items else "nothing"
 
 
@@ -315,7 +315,7 @@ _GRADE_TONES = {"excellent": "good", "good": "good", "fair": "fair", "poor": "ba
 _REPRODUCED: dict[str, Tone] = {"reproduced": "good", "not reproduced": "bad", "not comparable": "muted"}
 
 
-def published(result: CampaignResult) -> Section:
+def published_results(result: CampaignResult) -> Section:
     """Ours beside the published result that the campaign states."""
     return Section("Published result", (_reference_table(result),))
 
@@ -349,21 +349,21 @@ def _belt_table(result: CampaignResult) -> PageTable:
     """Speed of the belt as noted, by pulses and by recurrence; passages, and how far their loops are alike."""
     rows = []
     for trial in result.trials:
-        found = trial.belt
-        if found is None:
+        belt = trial.belt
+        if belt is None:
             continue
-        passages = found.passages
+        passages = belt.passages
         repeatability = ", ".join(f"{name} {percent(share)}" for name, share in passages.repeatability.items())
         odd = f" (without {', '.join(map(str, passages.odd))})" if passages.odd else ""
         rows.append(
             (
                 str(trial.entry.number),
-                given(found.noted, "m/s", "speed"),
-                given(found.pulses, "m/s", "speed"),
-                given(found.speed, "m/s", "speed"),
-                "–" if found.slip is None else percent(found.slip),
+                setting_text(belt.noted, "m/s", "speed"),
+                setting_text(belt.pulses, "m/s", "speed"),
+                setting_text(belt.speed, "m/s", "speed"),
+                "–" if belt.slip is None else percent(belt.slip),
                 f"{len(passages.times)}{odd}",
-                given(passages.times[0], "s"),
+                setting_text(passages.times[0], "s"),
                 repeatability or "–",
             )
         )
@@ -372,7 +372,7 @@ def _belt_table(result: CampaignResult) -> PageTable:
     return PageTable("Belt and passages", header, tuple(rows), "lrrrrrrl", note)
 
 
-def _driven(entry: TrialEntry) -> str:
+def _road_or_motion(entry: TrialEntry) -> str:
     """What was driven over, or the file of the base motion; and that of the actuator's force."""
     words = entry.road or (f"excitation {entry.excitation.file}" if entry.excitation else "")
     return words if entry.actuator_force is None else f"{words}, actuator force {entry.actuator_force.file}"
@@ -380,16 +380,16 @@ def _driven(entry: TrialEntry) -> str:
 
 def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     entry = trial.entry
-    road = _driven(entry)
+    road = _road_or_motion(entry)
     lost = Cell(entry.recording, "bad", "not usable, see Findings") if trial.after is None else entry.recording
     return (
         str(entry.number),
         _USES[entry.use],
-        given(entry.speed, "m/s", "speed"),
+        setting_text(entry.speed, "m/s", "speed"),
         road or "–",
-        given(trial.obstacle_pitch, "m"),
-        given(entry.strut_angle, "rad"),
-        given(entry.tyre_pressure, "Pa"),
+        setting_text(trial.obstacle_pitch, "m"),
+        setting_text(entry.strut_angle, "rad"),
+        setting_text(entry.tyre_pressure, "Pa"),
         lost,
     )
 
@@ -416,7 +416,7 @@ def validation(result: CampaignResult) -> Section:
 def _matrix(result: CampaignResult) -> PageTable:
     """Rating of every trial and channel before and after updating, at a glance."""
     channels = channels_of(result.trials)
-    drawn = chosen_trials(result, _verdicts_of(result))
+    drawn = select_trials(result, _verdicts_of(result))
     shown = {trial.entry.number: scene_name(trial.entry.number) for trial in drawn}
     rows = []
     for trial in result.trials:
@@ -557,22 +557,22 @@ def curves(result: CampaignResult) -> Section:
     return Section("Curves", tuple(blocks))
 
 
-def _sought(found: Sought, number: int) -> Chart:
+def _sought(sought: Sought, number: int) -> Chart:
     """The record of a trial, and what was looked for in it where it is most like it."""
-    time = found.response["time"].to_numpy()
+    time = sought.response["time"].to_numpy()
     around = 2.0 * float(time[-1] - time[0])
-    record = found.record.sel(time=slice(float(time[0]) - around, float(time[-1]) + around))
+    record = sought.record.sel(time=slice(float(time[0]) - around, float(time[-1]) + around))
     panels = []
     for name in map(str, record.data_vars):
         unit = display_unit(str(record[name].attrs["units"]))
         series = tuple(
-            Series(one["time"].to_numpy(), one[name].to_numpy() * unit.factor, role, "line", label)
-            for one, role, label in ((record, "measured", "record"), (found.response, "after", "looked for"))
+            Series(record["time"].to_numpy(), record[name].to_numpy() * unit.factor, role, "line", label)
+            for record, role, label in ((record, "measured", "record"), (sought.response, "after", "looked for"))
         )
         panels.append(Panel(series, "time [s]", unit.label(""), name))
     caption = (
         f"Trial {number}: the obstacle was not found. The model's response is drawn where the record is most like it, "
-        f"with a correlation of {found.likeness:.2f}."
+        f"with a correlation of {sought.likeness:.2f}."
     )
     words = "Record, and the response of the model that was looked for in it."
     return Chart(tuple(panels), f"sought-{number}", caption, words, columns=1)
@@ -586,8 +586,8 @@ def _heading(trial: TrialResult) -> str:
     entry = trial.entry
     parts = [f"Trial {entry.number} ({_USES[entry.use]})"]
     if entry.speed is not None:
-        parts.append(given(entry.speed, "m/s", "speed"))
-    parts.append(f"road {entry.road}" if entry.road is not None else _driven(entry))
+        parts.append(setting_text(entry.speed, "m/s", "speed"))
+    parts.append(f"road {entry.road}" if entry.road is not None else _road_or_motion(entry))
     return f"{', '.join(parts)}: {verdict(trial)}"
 
 
@@ -616,28 +616,28 @@ def updates(result: CampaignResult) -> Section:
     if any(strategy.trials for strategy in result.strategies):
         blocks.append(progress(result))
     files = unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
-    kept = {strategy.update.name for strategy in decisive(result)}
+    decisive_names = {strategy.update.name for strategy in decisive(result)}
     for file, strategy in zip(files, result.strategies, strict=True):
-        name, found = strategy.update.name, _strategy(strategy, file)
+        name, content = strategy.update.name, _strategy(strategy, file)
         superseded = f"{name}: superseded, the final model is not made of it"
-        blocks.append(Subsection(name, found) if name in kept else Details(superseded, found))
+        blocks.append(Subsection(name, content) if name in decisive_names else Details(superseded, content))
     return Section("Updates", tuple(blocks))
 
 
 def _overview(result: CampaignResult) -> PageTable:
     rows = tuple(
         (
-            one.name,
-            one.method,
+            update.name,
+            update.method,
             ", ".join(str(number_of) for number_of in strategy.fitted_on),
-            number(one.objective_before),
-            number(one.objective_after),
-            percent(0.01 * one.reduction_percent),
-            str(one.iterations),
-            str(one.evaluations),
+            number(update.objective_before),
+            number(update.objective_after),
+            percent(0.01 * update.reduction_percent),
+            str(update.iterations),
+            str(update.evaluations),
         )
         for strategy in result.strategies
-        for one in (strategy.update,)
+        for update in (strategy.update,)
     )
     header = (
         "update",
@@ -654,27 +654,27 @@ def _overview(result: CampaignResult) -> PageTable:
 
 
 def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
-    found = strategy.update
-    units = {path: p.unit for path, p in found.parameters.items()}
+    update = strategy.update
+    units = {path: p.unit for path, p in update.parameters.items()}
     blocks: list[Block] = [_parameters(strategy, units), *discrepancy_blocks(strategy, units)]
     blocks.append(_within_bounds(strategy, units, file))
-    if len(found.parameters) > 1:
+    if len(update.parameters) > 1:
         blocks.append(_correlation(strategy))
     blocks.append(_identifiability(strategy))
-    if found.lags:
-        rows = tuple((name, milliseconds(lag, 2)) for name, lag in found.lags.items())
+    if update.lags:
+        rows = tuple((name, milliseconds(lag, 2)) for name, lag in update.lags.items())
         blocks.append(
             PageTable("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr")
         )
-    blocks += findings_blocks(found.findings)
+    blocks += findings_blocks(update.findings)
     return tuple(blocks)
 
 
 def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -> Chart:
     """Where each parameter ended between its bounds, with the interval of the noise."""
-    found = strategy.update
+    update = strategy.update
     series: list[Series] = []
-    for row, p in enumerate(found.parameters.values()):
+    for row, p in enumerate(update.parameters.values()):
         middle, half = 0.5 * (p.lower + p.upper), 0.5 * (p.upper - p.lower)
         if p.interval is not None:
             ends = [min(max(100.0 * (end - middle) / half, -108.0), 108.0) for end in p.interval]
@@ -686,26 +686,26 @@ def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -
         tuple(series),
         "position between lower and upper bound [%]",
         verticals=((-100.0, "muted", ""), (100.0, "muted", "")),
-        lanes=tuple(found.parameters),
+        lanes=tuple(update.parameters),
         x_range=(-112.0, 112.0),
         width=620,
-        height=84 + 24 * len(found.parameters),
+        height=84 + 24 * len(update.parameters),
     )
     fitted = "; ".join(
         f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}"
         + (" at its bound" if p.at_bound else "")
-        for path, p in found.parameters.items()
+        for path, p in update.parameters.items()
     )
     caption = "Initial and fitted values within their bounds, with 95 % intervals of the noise only."
-    return Chart((panel,), file, caption, f"Fitted parameters of {found.name}: {fitted}.")
+    return Chart((panel,), file, caption, f"Fitted parameters of {update.name}: {fitted}.")
 
 
 def _correlation(strategy: StrategyResult) -> PageTable:
-    found = strategy.update
-    count = len(found.parameters)
-    values = [row[:count] for row in found.correlation[:count]]
+    update = strategy.update
+    count = len(update.parameters)
+    values = [row[:count] for row in update.correlation[:count]]
     rows = []
-    for i, path in enumerate(found.parameters):
+    for i, path in enumerate(update.parameters):
         cells: list[Cell | str] = [f"{i + 1}  {path}"]
         for j in range(count):
             known = values[i][i] > 0.0 and values[j][j] > 0.0
@@ -739,8 +739,8 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> PageTable:
 
 def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:
     """What may be said of the parts themselves, and what the intervals count."""
-    found = strategy.update.discrepancy
-    if found is None:
+    discrepancy = strategy.update.discrepancy
+    if discrepancy is None:
         text = (
             "This update says nothing of the parts themselves: an interval that counts what the model lacks takes at "
             "least three fitted trials."
@@ -748,11 +748,11 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
         shown = _beside_truth(strategy, units)
         return (Paragraph(text), *((shown,) if shown is not None else ()))
     rows: list[tuple[Cell | str, ...]] = []
-    for path, law in found.parameters.items():
+    for path, law in discrepancy.parameters.items():
         spread = 0.5 * law.half_width
         value, _, interval, name = estimate_cells(Estimate(law.value, spread, law.interval), units[path])
         unit = display_unit(units[path], law.value)
-        readings = " / ".join(number(one.value * unit.factor, 4) for one in (law.component, law.effective))
+        readings = " / ".join(number(estimate.value * unit.factor, 4) for estimate in (law.component, law.effective))
         word = Cell("identified", "good") if law.identified else Cell("not identified with this model", "fair", law.why)
         truth = strategy.truth.get(path)
         true = (number(truth * unit.factor, 4) if truth is not None else "–",) if strategy.truth else ()
@@ -776,7 +776,7 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
             + ("Truth: the value behind the synthetic recordings. " if strategy.truth else "")
             + "Mostly from: what the width would shrink by most if it were known.",
         ),
-        Paragraph(_counted(found)),
+        Paragraph(_sources_of_uncertainty(discrepancy)),
     )
 
 
@@ -803,19 +803,20 @@ def _mostly(shares: dict[str, float]) -> str:
     return f"{group.replace('_', ' ')} ({percent(shares[group], 0)})"
 
 
-def _counted(found: Discrepancy) -> str:
-    groups = ", ".join(group.replace("_", " ") for group in found.counted)
-    worst = _listed([f"{percent(share, 0)} in {name}" for name, share in found.unexplained.items()])
+def _sources_of_uncertainty(discrepancy: Discrepancy) -> str:
+    groups = ", ".join(group.replace("_", " ") for group in discrepancy.counted)
+    worst = _in_sentence([f"{percent(share, 0)} in {name}" for name, share in discrepancy.unexplained.items()])
     more = (
-        f" More freedom for {found.would_reduce.replace('_', ' ')} would leave {percent(found.reduced_to, 0)} of all."
-        if found.would_reduce
+        f" More freedom for {discrepancy.would_reduce.replace('_', ' ')} would leave "
+        f"{percent(discrepancy.reduced_to, 0)} of all."
+        if discrepancy.would_reduce
         else ""
     )
     return (
         f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. With all of "
-        f"these fitted, too, {percent(found.objective, 0)} of the residual's energy is left. Of that, {worst} is "
+        f"these fitted, too, {percent(discrepancy.objective, 0)} of the residual's energy is left. Of that, {worst} is "
         "neither noise nor explained; it counts as three observations for each channel and trial "
-        f"({found.trials} trials).{more}"
+        f"({discrepancy.trials} trials).{more}"
     )
 
 
@@ -849,7 +850,7 @@ _NOTICED = 0.05
 """Share from which a difference of a peak is coloured."""
 
 
-def lumped(found: ModelComparison) -> Section:
+def lumped_model(comparison: ModelComparison) -> Section:
     """Quantities about rest, curves over travel, shares of the bodies, peaks of every trial."""
     blocks: list[Block] = [
         Paragraph(
@@ -857,25 +858,25 @@ def lumped(found: ModelComparison) -> Section:
             "strut and tyre: the quarter car below matches its wheel rate, its damping and both natural frequencies. "
             "What such a model cannot represent is listed with the reason."
         ),
-        _differences(found),
-        _travel(found),
-        _shares(found),
+        _differences(comparison),
+        _travel(comparison),
+        _shares(comparison),
     ]
-    if found.peaks:
-        blocks.append(_peaks(found.peaks))
+    if comparison.peaks:
+        blocks.append(_peaks(comparison.peaks))
     return Section("Lumped model versus linkage", tuple(blocks))
 
 
 _MODELS: tuple[tuple[str, Style, str], ...] = (("after", "line", "3-D"), ("before", "dashed", "lumped"))
 
 
-def _travel(found: ModelComparison) -> Chart:
-    curves, across = found.curves(), display_unit("m")
+def _travel(comparison: ModelComparison) -> Chart:
+    curves, across = comparison.curves(), display_unit("m")
     panels = []
     for name, si in (("motion_ratio", "1"), ("wheel_rate", "N/m")):
         unit = display_unit(si)
         series = [
-            Series(across.factor * found.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
+            Series(across.factor * comparison.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
             for k, (role, style, label) in enumerate(_MODELS)
         ]
         words = str(curves[name].attrs["long_name"])
@@ -885,14 +886,15 @@ def _travel(found: ModelComparison) -> Chart:
         "lumped-travel",
         "Motion ratio and wheel rate against wheel travel: the linkage, and the lumped model that matches it at "
         "equilibrium.",
-        f"Motion ratio from {found.motion_ratio[0]:.4f} to {found.motion_ratio[-1]:.4f} over the travel shown, lumped "
-        f"{found.lumped_motion_ratio:.4f}.",
+        f"Motion ratio from {comparison.motion_ratio[0]:.4f} to {comparison.motion_ratio[-1]:.4f} "
+        "over the travel shown, lumped "
+        f"{comparison.lumped_motion_ratio:.4f}.",
     )
 
 
-def _differences(found: ModelComparison) -> PageTable:
+def _differences(comparison: ModelComparison) -> PageTable:
     rows = []
-    for item in found.rows:
+    for item in comparison.rows:
         pair = (item.spatial, item.lumped)
         unit = display_unit(item.unit, max((value for value in pair if value is not None), key=abs, default=0.0))
         texts = ("–" if value is None else number(value * unit.factor) for value in pair)
@@ -902,7 +904,7 @@ def _differences(found: ModelComparison) -> PageTable:
     return PageTable("Where the two models differ", header, tuple(rows), "lrrll", note)
 
 
-def _shares(found: ModelComparison) -> PageTable:
+def _shares(comparison: ModelComparison) -> PageTable:
     unit = display_unit("kg")
     rows = tuple(
         (
@@ -914,7 +916,7 @@ def _shares(found: ModelComparison) -> PageTable:
                 for kilograms in (part.sprung_mass, part.unsprung_mass, part.inertance)
             ),
         )
-        for name, part in found.lumping.shares.items()
+        for name, part in comparison.lumping.shares.items()
     )
     masses = (unit.label(words) for words in ("sprung", "unsprung", "inertance"))
     header = ("body", unit.label("mass"), "travel ratio [–]", *masses)

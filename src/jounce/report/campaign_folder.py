@@ -187,14 +187,14 @@ def write_reported(
 
 def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[list[str], list[Finding]]:
     """Write the paper's figures below ``out`` as SVG and PNG; give their names, and what could not be drawn."""
-    from jounce.plots import add_note, paper_figures, rendered
+    from jounce.plots import add_note, paper_figures, render_figure
     from jounce.report.campaign import SYNTHETIC_NOTE
 
     files: dict[str, bytes | str] = {}
     try:
         for name, figure in paper_figures(result).items():
             add_note(figure, SYNTHETIC_NOTE if result.campaign.synthetic else "")
-            drawn = rendered(figure, (".svg", ".png"))
+            drawn = render_figure(figure, (".svg", ".png"))
             files |= {f"figures/paper-{name}{suffix}": content for suffix, content in drawn.items()}
         write_files(out, files, force=force)
     except Exception as error:  # noqa: BLE001 - whatever it is, the results are answered
@@ -202,14 +202,14 @@ def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[l
     return list(files), []
 
 
-def reported_page(found: ReportedCampaign, *, title: str) -> Page:
+def reported_page(reported: ReportedCampaign, *, title: str) -> Page:
     """Put on a page what a campaign gave, without its figures; title and report stand in the folder."""
     from jounce.report.campaign import campaign_summary
 
-    summary = replace(campaign_summary(found.result), title=title)
-    synthetic = found.result.campaign.synthetic
+    summary = replace(campaign_summary(reported.result), title=title)
+    synthetic = reported.result.campaign.synthetic
     first = (Section("Data", (Paragraph(synthetic, "fair"),)),) if synthetic else ()
-    failed = sum(finding.severity == "problem" for finding in found.result.findings)
+    failed = sum(finding.severity == "problem" for finding in reported.result.findings)
     problems = f"{failed} problem{'' if failed == 1 else 's'}, see above; everything else was completed."
     last = (Section("Problems", (Paragraph(problems, "bad"),)),) if failed else ()
     return replace(summary, sections=(*first, *summary.sections, *last))

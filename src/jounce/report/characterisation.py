@@ -14,7 +14,7 @@ from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.results import ESTIMATE, ResultField, fields_of, fields_table, group_table
 from jounce.core.types import Array
 from jounce.identify.motion import MOTIONS
-from jounce.parts.rig import shown_unit_of
+from jounce.parts.rig import result_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
@@ -48,9 +48,9 @@ def characterisation(result: CampaignResult) -> Section:
     if bench.spring is not None:
         blocks.append(Subsection("Spring", _stiffness(result, bench.spring, "bench.spring", "spring", "bench-spring")))
     files = unique_slugs([f"bench tyre {name}" for name in bench.tyre])
-    for file, (name, found) in zip(files, bench.tyre.items(), strict=True):
+    for file, (name, fit) in zip(files, bench.tyre.items(), strict=True):
         blocks.append(
-            Subsection(f"Tyre at {name}", _stiffness(result, found, f'bench.tyre."{name}"', f"tyre, {name}", file))
+            Subsection(f"Tyre at {name}", _stiffness(result, fit, f'bench.tyre."{name}"', f"tyre, {name}", file))
         )
     if bench.pressure is not None and len(bench.pressure.pressures) > 1:
         blocks.append(Subsection("Tyre against pressure", _pressure(result)))
@@ -64,7 +64,7 @@ def characterisation(result: CampaignResult) -> Section:
 def unit_at(rig: Rig, path: str) -> str:
     """SI unit of a rig value; ``1`` for a path that this rig does not have."""
     try:
-        return shown_unit_of(rig, path)
+        return result_unit_of(rig, path)
     except (DescriptionError, AttributeError, KeyError, IndexError, TypeError):
         return "1"
 
@@ -87,64 +87,64 @@ def replaced_table(result: CampaignResult) -> PageTable:
     )
 
 
-def _stiffness(result: CampaignResult, found: StiffnessResult, place: str, title: str, file: str) -> tuple[Block, ...]:
-    return stiffness_blocks(found, result.characterisation.loaded.get(place, []), title, file)
+def _stiffness(result: CampaignResult, fit: StiffnessResult, place: str, title: str, file: str) -> tuple[Block, ...]:
+    return stiffness_blocks(fit, result.characterisation.loaded.get(place, []), title, file)
 
 
 def stiffness_blocks(
-    found: StiffnessResult, points: Sequence[ForceDeflectionTrial], title: str, file: str
+    fit: StiffnessResult, points: Sequence[ForceDeflectionTrial], title: str, file: str
 ) -> tuple[Block, ...]:
     """What was found of a stiffness, its figure, and every trial of it."""
-    motion = MOTIONS[found.motion]
-    fields = [*fields_of(found, "stiffness", "intercept", "tangent_stiffness"), *_coefficients(found)]
-    caption = f"Fit for the {title}: {found.law} law, all trials"
-    summary = as_table(fields_table(caption, fields), _fit_note(found))
+    motion = MOTIONS[fit.motion]
+    fields = [*fields_of(fit, "stiffness", "intercept", "tangent_stiffness"), *_coefficients(fit)]
+    caption = f"Fit for the {title}: {fit.law} law, all trials"
+    summary = as_table(fields_table(caption, fields), _fit_note(fit))
     alternative = (
-        f"{motion.force_word.capitalize()} against {motion.deflection_word} of the {title} with a {found.law} fit "
-        f"through {len(found.trials)} trials, stiffness {estimate_text(found.stiffness, motion.stiffness)}; right: "
+        f"{motion.force_word.capitalize()} against {motion.deflection_word} of the {title} with a {fit.law} fit "
+        f"through {len(fit.trials)} trials, stiffness {estimate_text(fit.stiffness, motion.stiffness)}; right: "
         "stiffness of each trial."
     )
     caption = (
         f"Left: measured points and fitted law of the {title}. "
         "Right: stiffness of the individual trials with 95 % intervals."
     )
-    picture = Chart(stiffness_panels(found, points, title), file, caption, alternative)
-    return summary, picture, as_table(group_table("Individual trials", found.trials))
+    picture = Chart(stiffness_panels(fit, points, title), file, caption, alternative)
+    return summary, picture, as_table(group_table("Individual trials", fit.trials))
 
 
-def _coefficients(found: StiffnessResult) -> list[ResultField]:
+def _coefficients(fit: StiffnessResult) -> list[ResultField]:
     """Coefficients of a law that is more than its stiffness."""
-    if found.law == "linear":
+    if fit.law == "linear":
         return []
-    pairs = zip(found.coefficient_units, found.coefficients, strict=True)
+    pairs = zip(fit.coefficient_units, fit.coefficients, strict=True)
     return [ResultField("coefficients", f"coefficient {k}", *pair) for k, pair in enumerate(pairs, 1)]
 
 
-def _fit_note(found: StiffnessResult) -> str:
-    motion = MOTIONS[found.motion]
-    low, high = found.fitted_range
-    branch = "both branches" if found.branch == "both" else f"the {found.branch} branch"
+def _fit_note(fit: StiffnessResult) -> str:
+    motion = MOTIONS[fit.motion]
+    low, high = fit.fitted_range
+    branch = "both branches" if fit.branch == "both" else f"the {fit.branch} branch"
     fitted = f"Fitted to {branch} from {quantity(low, motion.deflection, 3)} to {quantity(high, motion.deflection, 3)}"
     names = ("r2", "repeatability", "loss_factor", "hysteresis_energy", "operating_deflection")
-    known = [field for field in fields_of(found, *names) if field.value is not None]
+    known = [field for field in fields_of(fit, *names) if field.value is not None]
     return "; ".join([fitted, *(f"{field.label} {field.in_words()}" for field in known)]) + "."
 
 
 def _pressure(result: CampaignResult) -> tuple[Block, ...]:
-    found = result.characterisation.pressure
-    assert found is not None
+    law = result.characterisation.pressure
+    assert law is not None
     rows = tuple(
-        (quantity(pressure, "Pa", 3), *estimate_cells(one, "N/m"))
-        for pressure, one in zip(found.pressures, found.stiffnesses, strict=True)
+        (quantity(pressure, "Pa", 3), *estimate_cells(stiffness, "N/m"))
+        for pressure, stiffness in zip(law.pressures, law.stiffnesses, strict=True)
     )
     note = []
-    if found.slope is not None:
+    if law.slope is not None:
         stiffness, of = display_unit("N/m"), display_unit("Pa")
-        note.append(f"Slope {number(found.slope * stiffness.factor / of.factor, 4)} {stiffness.name} per {of.name}")
-    if found.at_zero_pressure is not None:
-        note.append(f"extrapolated to zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
-    if found.exponent is not None:
-        note.append(f"exponent of the power law {number(found.exponent, 3)}")
+        note.append(f"Slope {number(law.slope * stiffness.factor / of.factor, 4)} {stiffness.name} per {of.name}")
+    if law.at_zero_pressure is not None:
+        note.append(f"extrapolated to zero pressure {quantity(law.at_zero_pressure, 'N/m')}")
+    if law.exponent is not None:
+        note.append(f"exponent of the power law {number(law.exponent, 3)}")
     table = PageTable(
         "Tyre stiffness against inflation pressure",
         ("pressure", *ESTIMATE[1:]),
@@ -154,7 +154,7 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
     )
     words = ", ".join(f"{row[0]}: {row[1]} {row[4]}" for row in rows)
     picture = Chart(
-        (pressure_panel(found),),
+        (pressure_panel(law),),
         "bench-tyre-pressure",
         "Radial stiffness against inflation pressure, interpolated between the measured pressures.",
         f"Tyre stiffness against inflation pressure. {words}.",
@@ -164,11 +164,11 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
 
 def _decay(result: CampaignResult) -> tuple[Block, ...]:
     bench = result.characterisation
-    found = bench.decay
-    assert found is not None
+    combined = bench.decay
+    assert combined is not None
     blocks: list[Block] = [
         decay_table(
-            found,
+            combined,
             f"Damping from {len(bench.decays)} free decays combined"
             if len(bench.decays) > 1
             else "Damping from a free decay",
@@ -181,8 +181,8 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
     pictures: list[Chart] = []
     files = unique_slugs([f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records])
-    for file, (name, time, signal), one in zip(files, records, bench.decays, strict=True):
-        pictures.append(decay_chart(one, np.asarray(time, float), np.asarray(signal, float), name, file))
+    for file, (name, time, signal), decay in zip(files, records, bench.decays, strict=True):
+        pictures.append(decay_chart(decay, np.asarray(time, float), np.asarray(signal, float), name, file))
     blocks += pictures[:1]
     if len(bench.decays) > 1:
         blocks.append(each_decay(bench.decays, [record[0] for record in records]))
@@ -190,26 +190,26 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
-def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: str) -> Chart:
+def decay_chart(decay: DecayResult, time: Array, signal: Array, name: str, file: str) -> Chart:
     """A free decay as measured and fitted, with its turning points and decrements; time in s, the record in SI."""
-    motion = MOTIONS[one.motion]
+    motion = MOTIONS[decay.motion]
     alternative = (
         f"Free decay {name} with the fitted response: damping coefficient "
-        f"{estimate_text(one.damping_coefficient, motion.damping)}, dry friction "
-        f"{estimate_text(one.coulomb_force, motion.force)}."
+        f"{estimate_text(decay.damping_coefficient, motion.damping)}, dry friction "
+        f"{estimate_text(decay.coulomb_force, motion.force)}."
     )
     caption = (
         f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
-        f"decrements. R² {one.r2:.4f}."
+        f"decrements. R² {decay.r2:.4f}."
     )
-    return Chart(decay_panels(one, time, signal, name), file, caption, alternative, columns=3)
+    return Chart(decay_panels(decay, time, signal, name), file, caption, alternative, columns=3)
 
 
-def decay_table(found: DecayResult | CombinedDecay, caption: str) -> PageTable:
+def decay_table(decay: DecayResult | CombinedDecay, caption: str) -> PageTable:
     """What one or several free decays say of damping."""
-    fields = [field for field in fields_of(found) if hasattr(field.value, "interval")]
-    word = MOTIONS[found.motion].inertia_word
-    note = f"{number(found.cycles, 3)} cycles in total; values are referred to the {word} that swings."
+    fields = [field for field in fields_of(decay) if hasattr(field.value, "interval")]
+    word = MOTIONS[decay.motion].inertia_word
+    note = f"{number(decay.cycles, 3)} cycles in total; values are referred to the {word} that swings."
     return as_table(fields_table(caption, fields), note)
 
 
@@ -225,8 +225,8 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
         (
             _METHODS[choice.method],
             *(
-                _with_interval(*estimate_cells(found, si))
-                for found, si in ((choice.damping_ratio, "1"), (choice.seen, "N*s/m"), (choice.at_strut, "N*s/m"))
+                _with_interval(*estimate_cells(estimate, si))
+                for estimate, si in ((choice.damping_ratio, "1"), (choice.seen, "N*s/m"), (choice.at_strut, "N*s/m"))
             ),
             "yes" if choice.is_used else "no",
         )
@@ -254,8 +254,8 @@ def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> PageTable
         (
             name,
             *(
-                _with_interval(*estimate_cells(found, si))
-                for found, si in (
+                _with_interval(*estimate_cells(estimate, si))
+                for estimate, si in (
                     (d.damping_coefficient, motion.damping),
                     (d.coulomb_force, motion.force),
                     (d.natural_frequency_hz, "Hz"),

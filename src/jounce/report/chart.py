@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.types import Array
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 
 Style = Literal["line", "dashed", "dotted", "thick", "dots", "squares", "rings", "diamonds", "crosses"]
 MARKS = ("dots", "squares", "rings", "diamonds", "crosses")
@@ -117,7 +117,7 @@ def tick_text(value: float) -> str:
 
 def panel_svg(panel: Panel, identity: str, alternative: str) -> str:
     """Give one panel as an ``<svg>`` element; ``identity`` is its id on the page."""
-    inner = _drawn(panel, identity)
+    inner = _draw_panel(panel, identity)
     width = f"flex-basis: {panel.width}px; max-width: {1.15 * panel.width:.0f}px"
     size = f'viewBox="0 0 {panel.width} {panel.height}" style="{width}"'
     label = f'role="img" aria-labelledby="{identity}-title"'
@@ -134,7 +134,7 @@ def chart_svg(chart: Chart, style: str, note: str = "") -> str:
         left = 0
         for j, panel in enumerate(row):
             size = f'x="{left}" y="{top}" width="{panel.width}" height="{panel.height}"'
-            parts.append(f"<svg {size}>{_drawn(panel, f'p{i}-{j}')}</svg>")
+            parts.append(f"<svg {size}>{_draw_panel(panel, f'p{i}-{j}')}</svg>")
             left += panel.width
         top += max(panel.height for panel in row)
     if note:
@@ -147,7 +147,7 @@ def chart_svg(chart: Chart, style: str, note: str = "") -> str:
     )
 
 
-def _drawn(panel: Panel, identity: str) -> str:
+def _draw_panel(panel: Panel, identity: str) -> str:
     x0, x1, y0, y1 = _ranges(panel)
     y_ticks = [] if panel.lanes else ticks(y0, y1, max(2, panel.height // 55))
     names = list(panel.lanes) or [tick_text(value) for value in y_ticks]
@@ -189,7 +189,7 @@ def _drawn(panel: Panel, identity: str) -> str:
     for place, role, _ in panel.verticals:
         if x0 <= place <= x1:
             out.append(f'<path class="l {escape(role)} dotted" d="M{at_x(place):.1f} {top}V{bottom}"/>')
-    body = "".join(_series(one, (x0, x1, y0, y1), (left, right, top, bottom)) for one in panel.series)
+    body = "".join(_series(series, (x0, x1, y0, y1), (left, right, top, bottom)) for series in panel.series)
     out.append(f'<g clip-path="url(#{identity}-clip)">{body}</g>')
     for x, y, text in panel.notes:
         out.append(f'<text class="note" x="{at_x(x) + 7:.1f}" y="{at_y(y) + 4:.1f}">{escape(text)}</text>')
@@ -223,9 +223,9 @@ def _overhang(panel: Panel, x0: float, x1: float) -> int:
 
 def _legend(panel: Panel, left: int) -> list[list[tuple[str, str, str]]]:
     entries: dict[str, tuple[str, str, str]] = {}
-    for one in panel.series:
-        if one.label:
-            entries.setdefault(one.label, (one.style, one.role, one.label))
+    for series in panel.series:
+        if series.label:
+            entries.setdefault(series.label, (series.style, series.role, series.label))
     for _, role, label in panel.verticals:
         if label:
             entries.setdefault(label, ("dotted", role, label))
@@ -254,20 +254,20 @@ def _sample(kind: str, role: str, x: float, y: float) -> str:
 
 def _ranges(panel: Panel) -> tuple[float, float, float, float]:
     """Ends of both axes; something sensible where nothing finite is drawn."""
-    xs = np.concatenate([np.asarray(one.x, float).ravel() for one in panel.series] or [np.zeros(0)])
-    ys = np.concatenate([np.asarray(one.y, float).ravel() for one in panel.series] or [np.zeros(0)])
-    x0, x1 = panel.x_range or _padded(xs, 0.08 if panel.lanes else 0.02)
+    xs = np.concatenate([np.asarray(series.x, float).ravel() for series in panel.series] or [np.zeros(0)])
+    ys = np.concatenate([np.asarray(series.y, float).ravel() for series in panel.series] or [np.zeros(0)])
+    x0, x1 = panel.x_range or _with_margin(xs, 0.08 if panel.lanes else 0.02)
     if panel.lanes:
         return x0, x1, len(panel.lanes) - 0.4, -0.6
     if panel.y_range:
         return x0, x1, *panel.y_range
     seen = np.interp(xs, [x0, x1], [0.0, 1.0]) if len(xs) else xs
     inside = ys[(seen >= 0.0) & (seen <= 1.0) & (xs >= x0) & (xs <= x1)] if len(xs) == len(ys) else ys
-    y0, y1 = _padded(inside, 0.06)
+    y0, y1 = _with_margin(inside, 0.06)
     return x0, x1, min(0.0, y0) if panel.from_zero and inside.min(initial=0.0) >= 0.0 else y0, y1
 
 
-def _padded(values: Array, share: float) -> tuple[float, float]:
+def _with_margin(values: Array, share: float) -> tuple[float, float]:
     known = values[np.isfinite(values)]
     if not len(known):
         return 0.0, 1.0
@@ -278,26 +278,26 @@ def _padded(values: Array, share: float) -> tuple[float, float]:
     return low - share * (high - low), high + share * (high - low)
 
 
-def _series(one: Series, ranges: tuple[float, float, float, float], box: tuple[float, float, float, float]) -> str:
+def _series(series: Series, ranges: tuple[float, float, float, float], box: tuple[float, float, float, float]) -> str:
     x0, x1, y0, y1 = ranges
     left, right, top, bottom = box
-    x, y = np.asarray(one.x, float).ravel(), np.asarray(one.y, float).ravel()
-    role = escape(one.role)
-    if one.style in MARKS:
+    x, y = np.asarray(series.x, float).ravel(), np.asarray(series.y, float).ravel()
+    role = escape(series.role)
+    if series.style in MARKS:
         known = np.isfinite(x) & np.isfinite(y)
         px = left + (x[known] - x0) / (x1 - x0) * (right - left)
         py = bottom - (y[known] - y0) / (y1 - y0) * (bottom - top)
-        marks = "".join(_mark(one.style, a, b) for a, b in zip(px.tolist(), py.tolist(), strict=True))
-        return f'<path class="m {role} {one.style}" d="{marks}"/>'
+        marks = "".join(_mark(series.style, a, b) for a, b in zip(px.tolist(), py.tolist(), strict=True))
+        return f'<path class="m {role} {series.style}" d="{marks}"/>'
     pieces = []
     for part in _runs(np.isfinite(x) & np.isfinite(y)):
         u, v = x[part], y[part]
         if len(u) > 1 and bool(np.all(np.diff(u) >= 0.0)):
-            u, v = thinned(u, v, x0, x1, int(right - left) // 2)
+            u, v = thin(u, v, x0, x1, int(right - left) // 2)
         px = np.round(_FINE * (left + (u - x0) / (x1 - x0) * (right - left)))
         py = np.round(_FINE * (bottom - (v - y0) / (y1 - y0) * (bottom - top)))
         pieces.append(_polyline(np.clip(px, -4e5, 4e5).astype(int), np.clip(py, -4e5, 4e5).astype(int)))
-    return f'<path class="l q {role} {one.style}" transform="scale({1 / _FINE})" d="{"".join(pieces)}"/>'
+    return f'<path class="l q {role} {series.style}" transform="scale({1 / _FINE})" d="{"".join(pieces)}"/>'
 
 
 def _runs(known: Array) -> list[slice]:

@@ -10,16 +10,16 @@ if TYPE_CHECKING:
     from jounce.kinematics.clearance_study import ClearanceStudy
 
 
-def clearances_page(found: ClearanceStudy, *, title: str) -> Page:
+def clearances_page(study: ClearanceStudy, *, title: str) -> Page:
     """Put least distances and lengths of links on a page."""
-    least, blocks = found.least, list[Block]()
+    least, blocks = study.least, list[Block]()
     if least:
         columns = {"clearance": "least clearance", "wheel_travel": "at travel", "rack_travel": "at rack"}
-        numbers = (TableColumn(label, [one[key] for one in least.values()], "m") for key, label in columns.items())
+        numbers = (TableColumn(label, [pair[key] for pair in least.values()], "m") for key, label in columns.items())
         blocks.append(
             table_of("Clearances, negative where bodies overlap", (TableColumn("between", [*least]), *numbers))
         )
-    lengths = (TableColumn("between", [*found.lengths]), TableColumn("length", [*found.lengths.values()], "m"))
+    lengths = (TableColumn("between", [*study.lengths]), TableColumn("length", [*study.lengths.values()], "m"))
     blocks.append(table_of("Lengths of links at design", lengths))
-    blocks += findings_blocks(found.findings)
+    blocks += findings_blocks(study.findings)
     return answer_page(title, blocks)

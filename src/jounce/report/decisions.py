@@ -33,12 +33,12 @@ if TYPE_CHECKING:
     from jounce.design.springs import SpringDesign
 
 
-def optimisation_page(found: Optimisation, *, title: str) -> Page:
+def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
     """Put the best design of a search on a page: what it gains, its numbers, and the limits that hold it.
 
     Parameters
     ----------
-    found : Optimisation
+    optimum : Optimisation
         As :func:`jounce.optimise` gives it.
     title : str
         Head of the page.
@@ -56,53 +56,53 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     >>> [section.title for section in optimisation_page(found, title="A kart").sections]
     ['Answer', 'Metrics']
     """
-    facts = [Fact(name, _change(found, name), f"from {_ends(found, name)}") for name in found.objective]
-    end, tone = _ended("converged", "did not converge", found.converged)
-    slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
-    facts.append(Fact("search", end, f"{found.iterations} steps, {found.evaluations} designs, {slopes}", tone))
-    answer: list[Block] = [Facts(tuple(facts)), _numbers(found.numbers)]
-    if found.constraints:
-        answer.append(_limits(found.constraints))
-    answer += findings_blocks(found.findings)
-    names = dict.fromkeys((*found.objective, *found.before))
+    facts = [Fact(name, _change(optimum, name), f"from {_ends(optimum, name)}") for name in optimum.objective]
+    end, tone = _search_outcome("converged", "did not converge", optimum.converged)
+    slopes = "exact gradients" if optimum.derivatives == "exact" else "finite-difference gradients"
+    facts.append(Fact("search", end, f"{optimum.iterations} steps, {optimum.evaluations} designs, {slopes}", tone))
+    answer: list[Block] = [Facts(tuple(facts)), _numbers(optimum.numbers)]
+    if optimum.constraints:
+        answer.append(_limits(optimum.constraints))
+    answer += findings_blocks(optimum.findings)
+    names = dict.fromkeys((*optimum.objective, *optimum.before))
     rows = []
     for name in names:
-        unit = display_unit(found.units[name], max(abs(found.before[name]), abs(found.after[name])))
-        ends = (number(value * unit.factor) for value in (found.before[name], found.after[name]))
-        rows.append((name, unit.name or "–", *ends, _change(found, name)))
+        unit = display_unit(optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name])))
+        ends = (number(value * unit.factor) for value in (optimum.before[name], optimum.after[name]))
+        rows.append((name, unit.name or "–", *ends, _change(optimum, name)))
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
-        picture_of(found, "optimisation", words),
+        picture_of(optimum, "optimisation", words),
         PageTable("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
         title,
         (Section("Answer", tuple(answer)), Section("Metrics", metrics)),
-        f"Best design on {raise_exponents(found.driven)}",
+        f"Best design on {raise_exponents(optimum.driven)}",
     )
 
 
-def best_design_page(found: BestDesign, *, title: str) -> Page:
+def best_design_page(best: BestDesign, *, title: str) -> Page:
     """Put what a search for the best design found on a page: the design, or a front of them."""
     pages: dict[str, Callable[..., Page]] = {
         "Optimisation": optimisation_page,
         "ParetoFront": front_page,
         "DesignFront": design_front_page,
     }
-    return pages[type(found.found).__name__](found.found, title=title)
+    return pages[type(best.outcome).__name__](best.outcome, title=title)
 
 
-def _ended(well: str, badly: str, is_well: bool) -> tuple[str, Tone]:
+def _search_outcome(well: str, badly: str, is_well: bool) -> tuple[str, Tone]:
     """Choose the words for how a search ended, with their tone."""
     if is_well:
         return well, "good"
     return badly, "bad"
 
 
-def _ends(found: Optimisation, name: str) -> str:
+def _ends(optimum: Optimisation, name: str) -> str:
     """A metric of the start and of the best design."""
-    unit = display_unit(found.units[name], max(abs(found.before[name]), abs(found.after[name])))
-    return unit.behind(" to ".join(number(one[name] * unit.factor) for one in (found.before, found.after)))
+    unit = display_unit(optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name])))
+    return unit.behind(" to ".join(number(values[name] * unit.factor) for values in (optimum.before, optimum.after)))
 
 
 def _from_to(values: Array, si: str) -> str:
@@ -111,38 +111,38 @@ def _from_to(values: Array, si: str) -> str:
     return unit.behind(" to ".join(number(float(end) * unit.factor) for end in (values.min(), values.max())))
 
 
-def _change(found: Optimisation, name: str) -> str:
-    before = found.before[name]
-    change = found.after[name] / before - 1.0 if before else None
+def _change(optimum: Optimisation, name: str) -> str:
+    before = optimum.before[name]
+    change = optimum.after[name] / before - 1.0 if before else None
     return ("+" if change and change > 0.0 else "") + percent(change)
 
 
-def _numbers(found: Sequence[DesignNumber]) -> PageTable:
+def _numbers(numbers: Sequence[DesignNumber]) -> PageTable:
     rows = []
-    for one in found:
-        unit = display_unit(one.unit, max(abs(one.lower), abs(one.upper)))
-        values = (number(value * unit.factor) for value in (one.start, one.value, one.lower, one.upper))
-        flat = " to ".join(number(end * unit.factor) for end in one.flat) if one.flat else "–"
-        at = Cell(f"at its {one.at} bound", "fair") if one.at else "within"
-        rows.append((one.path, unit.name or "–", *values, at, flat))
+    for row in numbers:
+        unit = display_unit(row.unit, max(abs(row.lower), abs(row.upper)))
+        values = (number(value * unit.factor) for value in (row.start, row.value, row.lower, row.upper))
+        flat = " to ".join(number(end * unit.factor) for end in row.flat) if row.flat else "–"
+        at = Cell(f"at its {row.at} bound", "fair") if row.at else "within"
+        rows.append((row.path, unit.name or "–", *values, at, flat))
     header = ("number", "unit", "start", "best", "lower bound", "upper bound", "", "objective within 1 %")
     return PageTable("Numbers of the design", header, tuple(rows), "llrrrrlr")
 
 
-def _limits(found: Sequence[DesignConstraint]) -> PageTable:
+def _limits(limits: Sequence[DesignConstraint]) -> PageTable:
     rows = []
-    for one in found:
-        unit = display_unit(one.unit, max(abs(one.start), abs(one.value)))
-        ends = (None if end is None else end * unit.factor for end in (one.lower, one.upper))
-        values = (one.start * unit.factor, one.value * unit.factor, *ends)
-        state = Cell("holds the design", "fair") if one.is_active else "not reached"
+    for limit in limits:
+        unit = display_unit(limit.unit, max(abs(limit.start), abs(limit.value)))
+        ends = (None if end is None else end * unit.factor for end in (limit.lower, limit.upper))
+        values = (limit.start * unit.factor, limit.value * unit.factor, *ends)
+        state = Cell("holds the design", "fair") if limit.is_active else "not reached"
         rows.append(
             (
-                ", ".join(dict.fromkeys((one.name, one.channel))),
+                ", ".join(dict.fromkeys((limit.name, limit.channel))),
                 unit.name or "–",
                 *map(number, values),
                 state,
-                number(one.gain, 3),
+                number(limit.gain, 3),
             )
         )
     header = ("limit", "unit", "start", "best", "at least", "at most", "", "gain")
@@ -168,7 +168,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     roles = front.roles
     names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
     ends = [Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role]) for role in roles]
-    state, tone = _ended("all designs are optimal", "some designs are not optimal", front.converged)
+    state, tone = _search_outcome("all designs are optimal", "some designs are not optimal", front.converged)
     facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
     marks = (
         TableColumn("design", [mark.name for mark in front.marks]),
@@ -261,7 +261,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
         )
         for name, values in front.goals.items()
     ]
-    state, tone = _ended("all searches came to rest", "some searches did not come to rest", front.converged)
+    state, tone = _search_outcome("all searches came to rest", "some searches did not come to rest", front.converged)
     facts = Facts((*ends, Fact("designs on the front", str(front.count), state, tone)))
     columns = {**front.goals, **front.numbers}
     si = {**front.goal_units, **front.number_units}

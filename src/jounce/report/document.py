@@ -26,9 +26,9 @@ from jounce.report.page import (
     Paragraph,
     Picture,
     alignments,
-    grouped,
+    group_findings,
 )
-from jounce.report.typeset import breakable, compiled, missing_letters
+from jounce.report.typeset import breakable, missing_letters, typeset
 
 if TYPE_CHECKING:
     from jounce.report.page import Fact
@@ -53,29 +53,29 @@ def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: b
     if missing_letters(json.dumps(content, ensure_ascii=False)):
         content["foot"] = f"{content['foot']} · {_BOXES}"
     files = {name: svg for panels in figures.values() for name, svg in panels.items()}
-    data = json.dumps(_kept_files(breakable(content)), ensure_ascii=False).encode("utf-8", "replace")
-    made: bytes = compiled({"main.typ": template, "page.json": data, **files}, "pdf")
+    data = json.dumps(_restore_file_names(breakable(content)), ensure_ascii=False).encode("utf-8", "replace")
+    made: bytes = typeset({"main.typ": template, "page.json": data, **files}, "pdf")
     return made
 
 
-def _kept_files(value: Any) -> Any:
+def _restore_file_names(value: Any) -> Any:
     """Give names of files back the form in which they stand beside the document."""
     if isinstance(value, dict):
         return {
-            key: item.replace("\u200b", "") if key in ("file", "kind") else _kept_files(item)
+            key: item.replace("\u200b", "") if key in ("file", "kind") else _restore_file_names(item)
             for key, item in value.items()
         }
-    return [_kept_files(item) for item in value] if isinstance(value, list) else value
+    return [_restore_file_names(item) for item in value] if isinstance(value, list) else value
 
 
 def _blocks(blocks: Sequence[Block], figures: Mapping[str, Mapping[str, bytes]]) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = []
+    plain_blocks: list[dict[str, Any]] = []
     for block in blocks:
         if isinstance(block, Details) and block.is_still:  # on paper nothing moves that it would be the same as
-            found += _blocks(block.blocks, figures)
+            plain_blocks += _blocks(block.blocks, figures)
         elif (plain := _plain(block, figures)) is not None:
-            found.append(plain)
-    return found
+            plain_blocks.append(plain)
+    return plain_blocks
 
 
 def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str, Any] | None:
@@ -90,7 +90,7 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         names = list(figures[block.name])
         widths = [panel.width for panel in block.panels] if isinstance(block, Chart) else [1]
         panels = [{"file": name, "width": width} for name, width in zip(names, widths, strict=True)]
-        rows = _packed(panels)
+        rows = _arrange_panels(panels)
         full = max(_FULL, *(sum(panel["width"] for panel in row) for row in rows)) if isinstance(block, Chart) else 1
         return {"kind": "Figure", "rows": rows, "full": full, "caption": block.caption}
     if isinstance(block, Facts):
@@ -99,7 +99,7 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         tones = {"problem": "bad", "warning": "fair", "note": "muted"}
         groups = [
             {"tone": tones[severity], "heading": heading, "items": [{"places": p, "message": m} for p, m in rows]}
-            for severity, heading, rows in grouped(block)
+            for severity, heading, rows in group_findings(block)
         ]
         return {"kind": kind, "groups": groups}
     if isinstance(block, Viewer):
@@ -108,11 +108,11 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
     return {"kind": "Group", "title": title, "blocks": _blocks(block.blocks, figures)}
 
 
-def _packed(panels: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+def _arrange_panels(panels: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
     """Put panels side by side as long as their text can be read."""
     rows: list[list[dict[str, Any]]] = []
     for panel in panels:
-        if not rows or sum(one["width"] for one in rows[-1]) + panel["width"] > _MOST:
+        if not rows or sum(beside["width"] for beside in rows[-1]) + panel["width"] > _MOST:
             rows.append([])
         rows[-1].append(panel)
     return rows
@@ -157,8 +157,8 @@ def _cell(cell: Cell | str) -> dict[str, str]:
 
 def tables_of(page: Page) -> dict[str, PageTable]:
     """Every table of a page by a file name, in order: ``01-parameters-of-strategy-1``."""
-    found = [block for block in page.blocks() if isinstance(block, PageTable)]
-    return {f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table for k, table in enumerate(found, 1)}
+    tables = [block for block in page.blocks() if isinstance(block, PageTable)]
+    return {f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table for k, table in enumerate(tables, 1)}
 
 
 _NUMBER = re.compile(r"−?\d+(\.\d+)?(e−?\d+)?")

@@ -32,14 +32,14 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
     factors = {factor.name: factor for factor in study.factors}
     rows = tuple(
         (
-            factors[one.factor].label,
-            one.method.upper(),
-            Cell(f"{one.rejected_sound} of {one.sound}", "fair" if one.rejected_sound else "plain"),
-            _range(factors[one.factor], one.rejected_at),
-            Cell(f"{one.passed_worn} of {one.worn}", "fair" if one.passed_worn else "plain"),
-            _range(factors[one.factor], one.passed_at),
+            factors[case.factor].label,
+            case.method.upper(),
+            Cell(f"{case.rejected_sound} of {case.sound}", "fair" if case.rejected_sound else "plain"),
+            _range(factors[case.factor], case.rejected_at),
+            Cell(f"{case.passed_worn} of {case.worn}", "fair" if case.passed_worn else "plain"),
+            _range(factors[case.factor], case.passed_at),
         )
-        for one in study.disagreements
+        for case in study.disagreements
     )
     header = ("varied", "method", "sound rejected", "at", "worn passed", "at")
     about = (

@@ -18,49 +18,49 @@ if TYPE_CHECKING:
     from jounce.parts.importers.drafts import ImportedRig
 
 
-def fmu_page(found: FmuExport, *, title: str) -> Page:
+def fmu_page(export: FmuExport, *, title: str) -> Page:
     """Put the export of an FMU on a page."""
-    binaries = f"for {', '.join(found.platforms)}" if found.platforms else "as sources only"
+    binaries = f"for {', '.join(export.platforms)}" if export.platforms else "as sources only"
     facts = (
-        Fact("inputs", ", ".join(found.inputs) or "none"),
-        Fact("outputs", str(len(found.outputs))),
-        Fact("states", str(found.states)),
-        Fact("parameters", str(found.parameters)),
+        Fact("inputs", ", ".join(export.inputs) or "none"),
+        Fact("outputs", str(len(export.outputs))),
+        Fact("states", str(export.states)),
+        Fact("parameters", str(export.parameters)),
     )
-    text = f"FMI {found.version}.0, model exchange and co-simulation, {binaries}"
-    return _page(title, "FMU", [Paragraph(text), Facts(facts)], found.findings)
+    text = f"FMI {export.version}.0, model exchange and co-simulation, {binaries}"
+    return _page(title, "FMU", [Paragraph(text), Facts(facts)], export.findings)
 
 
-def equations_page(found: Equations, *, title: str) -> Page:
+def equations_page(equations: Equations, *, title: str) -> Page:
     """Put the names in equations of motion on a page."""
     words = ("coordinates", "speeds", "inputs", "modes", "constraints")
-    facts = tuple(Fact(word, ", ".join(getattr(found, word)) or "none") for word in words)
+    facts = tuple(Fact(word, ", ".join(getattr(equations, word)) or "none") for word in words)
     text = Paragraph("M a = Q + G^T lambda, G a + gamma = 0, dq/dt = dq; SI")
     return _page(title, "Equations of motion", [text, Facts(facts)])
 
 
-def hardpoint_export_page(found: HardpointExport, *, title: str) -> Page:
+def hardpoint_export_page(export: HardpointExport, *, title: str) -> Page:
     """Say how many hardpoints were written."""
-    text = Paragraph(f"{len(found.hardpoints)} hardpoints in mm: x forward, y left, z up from the road")
+    text = Paragraph(f"{len(export.hardpoints)} hardpoints in mm: x forward, y left, z up from the road")
     return _page(title, "Hardpoints", [text])
 
 
-def chrono_export_page(found: ChronoExport, *, title: str) -> Page:
+def chrono_export_page(export: ChronoExport, *, title: str) -> Page:
     """Say which template of Project Chrono was written."""
-    text = Paragraph(f"{found.template} of Project Chrono, left side; heights count from the wheel centre")
-    return _page(title, "Project Chrono", [text], found.findings)
+    text = Paragraph(f"{export.template} of Project Chrono, left side; heights count from the wheel centre")
+    return _page(title, "Project Chrono", [text], export.findings)
 
 
-def mjcf_export_page(found: MjcfExport, *, title: str) -> Page:
+def mjcf_export_page(export: MjcfExport, *, title: str) -> Page:
     """Say what a model of MuJoCo consists of."""
-    parts = f"{found.bodies} bodies, {found.joints} joints, {found.loops} loops"
-    return _page(title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], found.findings)
+    parts = f"{export.bodies} bodies, {export.joints} joints, {export.loops} loops"
+    return _page(title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], export.findings)
 
 
-def road_export_page(found: RoadExport, *, title: str) -> Page:
+def road_export_page(export: RoadExport, *, title: str) -> Page:
     """Say how many points of a road were written."""
-    text = Paragraph(f"{found.points} points over {found.length:g} m")
-    return _page(title, "Road", [text], found.findings)
+    text = Paragraph(f"{export.points} points over {export.length:g} m")
+    return _page(title, "Road", [text], export.findings)
 
 
 def imported_rig_page(found: ImportedRig, *, title: str) -> Page:

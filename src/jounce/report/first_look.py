@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
-from jounce.plots.display import given, number, percent, quantity, ratio_unit, with_half
+from jounce.plots.display import number, percent, quantity, ratio_unit, setting_text, with_half
 from jounce.report.chart import Chart, Panel, Series
 from jounce.report.page import Block, Cell, Details, PageTable, Paragraph, Section, Subsection, unique_slugs
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 def records(look: FirstLook) -> Section:
     """Spectra and transfer functions at each pressure, modes of decays and trials, statistics of every channel."""
     blocks: list[Block] = []
-    names = unique_slugs([f"spectra {given(one.pressure, 'Pa')}" for one in look.spectra])
+    names = unique_slugs([f"spectra {setting_text(spectra.pressure, 'Pa')}" for spectra in look.spectra])
     if look.spectra:
-        charts = tuple(_spectra(one, name) for one, name in zip(look.spectra, names, strict=True))
+        charts = tuple(_spectra(spectra, name) for spectra, name in zip(look.spectra, names, strict=True))
         blocks.append(Subsection("Spectra and transfer functions", charts))
     if look.modes:
         blocks.append(Subsection("Modal frequencies and damping", (_modes(look.modes),)))
@@ -35,15 +35,17 @@ def records(look: FirstLook) -> Section:
     return Section("Records", tuple(blocks))
 
 
-def _spectra(found: ComparedSpectra, name: str) -> Chart:
-    panels = [_density(found, k) for k in range(len(found.measured.channels))]
+def _spectra(spectra: ComparedSpectra, name: str) -> Chart:
+    panels = [_density(spectra, k) for k in range(len(spectra.measured.channels))]
     words = "Amplitude density of each channel"
-    if found.transfer is not None and found.model_transfer is not None:
-        panels += _transfer(found.transfer, found.model_transfer)
+    if spectra.transfer is not None and spectra.model_transfer is not None:
+        panels += _transfer(spectra.transfer, spectra.model_transfer)
         words += ", and gain and coherence from wheel to body"
-    settings = ", ".join(text for text in (given(found.pressure, "Pa"), given(found.angle, "rad")) if text != "–")
+    settings = ", ".join(
+        text for text in (setting_text(spectra.pressure, "Pa"), setting_text(spectra.angle, "rad")) if text != "–"
+    )
     caption = (
-        f"{_trials(found.trials).capitalize()}{f' ({settings})' if settings else ''}: {words[0].lower()}{words[1:]}. "
+        f"{_trials(spectra.trials).capitalize()}{f' ({settings})' if settings else ''}: {words[0].lower()}{words[1:]}. "
         "The model's readings in the same trials are analysed alike."
     )
     return Chart(tuple(panels), name, caption, f"{words}, measured and of the model.")
@@ -52,9 +54,9 @@ def _spectra(found: ComparedSpectra, name: str) -> Chart:
 _ROLES = (("measured", "measured"), ("after", "model"))
 
 
-def _density(found: ComparedSpectra, channel: int) -> Panel:
-    both: tuple[RecordSpectra, ...] = (found.measured, found.simulated)
-    unit = display_unit(found.measured.channels[channel].unit)
+def _density(compared: ComparedSpectra, channel: int) -> Panel:
+    both: tuple[RecordSpectra, ...] = (compared.measured, compared.simulated)
+    unit = display_unit(compared.measured.channels[channel].unit)
     series = []
     for spectra, (role, label) in zip(both, _ROLES, strict=True):
         row = spectra.channels[channel]
@@ -73,12 +75,12 @@ def _transfer(measured: TransferEstimate, model: TransferEstimate) -> list[Panel
     output, into = display_unit(measured.output_unit), display_unit(measured.given_unit)
     factor = output.factor / into.factor
     gains = [
-        Series(one.frequency, one.gain * factor, role, "line", label)
-        for one, (role, label) in zip(both, _ROLES, strict=True)
+        Series(transfer.frequency, transfer.gain * factor, role, "line", label)
+        for transfer, (role, label) in zip(both, _ROLES, strict=True)
     ]
     coherences = [
-        Series(one.frequency, one.coherence, role, "line", label)
-        for one, (role, label) in zip(both, _ROLES, strict=True)
+        Series(transfer.frequency, transfer.coherence, role, "line", label)
+        for transfer, (role, label) in zip(both, _ROLES, strict=True)
     ]
     title = f"{measured.output} over {measured.given}"
     across = "frequency [Hz]"
@@ -102,7 +104,7 @@ def _modes(modes: Sequence[ComparedMode]) -> PageTable:
         for mode in modes
     ]
     model = ("linear model", "model, same fit")
-    header = ("record", "frequency [Hz]", *(f"{one} [Hz]" for one in model), "damping ratio", *model)
+    header = ("record", "frequency [Hz]", *(f"{model_name} [Hz]" for model_name in model), "damping ratio", *model)
     note = (
         "± half of the 95 % interval of what noise does. Undamped natural frequencies of free motion: decays, and "
         "trials after their last obstacle. The linear model is without dry friction, and so is the damping of decays; "

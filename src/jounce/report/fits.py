@@ -37,29 +37,29 @@ if TYPE_CHECKING:
     from jounce.identify.stiffness import StiffnessResult
 
 
-def measured_stiffness_page(found: MeasuredStiffness, *, title: str) -> Page:
+def measured_stiffness_page(measured: MeasuredStiffness, *, title: str) -> Page:
     """Put a stiffness with its trials on a page."""
-    return stiffness_page(found.fit, found.measured.trials, found.findings, title=title)
+    return stiffness_page(measured.fit, measured.measured.trials, measured.findings, title=title)
 
 
-def measured_decays_page(found: MeasuredDecays, *, title: str) -> Page:
+def measured_decays_page(measured: MeasuredDecays, *, title: str) -> Page:
     """Put the damping of free decays on a page."""
-    return decay_page(found.fit, found.decays, found.findings, title=title)
+    return decay_page(measured.fit, measured.decays, measured.findings, title=title)
 
 
-def measured_damper_page(found: MeasuredDamper, *, title: str) -> Page:
+def measured_damper_page(measured: MeasuredDamper, *, title: str) -> Page:
     """Put a damper law with its record on a page."""
-    return damper_page(found.fit, found.curve, found.findings, title=title)
+    return damper_page(measured.fit, measured.curve, measured.findings, title=title)
 
 
 def stiffness_page(
-    found: StiffnessResult, trials: Sequence[ForceDeflectionTrial], findings: Sequence[Finding], *, title: str
+    fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial], findings: Sequence[Finding], *, title: str
 ) -> Page:
     """Put a fitted stiffness on a page, with the points that it was fitted to.
 
     Parameters
     ----------
-    found : StiffnessResult
+    fit : StiffnessResult
         As :func:`jounce.fit_stiffness` gives it.
     trials : sequence of ForceDeflectionTrial
         What was measured.
@@ -73,12 +73,12 @@ def stiffness_page(
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    first, *others = stiffness_blocks(found, trials, title, "stiffness")
-    return answer_page(title, [first, *findings_blocks(findings), *others], f"Stiffness, {found.law} law")
+    first, *others = stiffness_blocks(fit, trials, title, "stiffness")
+    return answer_page(title, [first, *findings_blocks(findings), *others], f"Stiffness, {fit.law} law")
 
 
 def decay_page(
-    found: DecayResult | CombinedDecay,
+    fit: DecayResult | CombinedDecay,
     decays: Mapping[str, tuple[DecayResult, Array, Array]],
     findings: Sequence[Finding],
     *,
@@ -88,7 +88,7 @@ def decay_page(
 
     Parameters
     ----------
-    found : DecayResult or CombinedDecay
+    fit : DecayResult or CombinedDecay
         As :func:`jounce.fit_decay` or :func:`jounce.combine_decays` gives it.
     decays : mapping of str to (DecayResult, ndarray, ndarray)
         Each of them by name, with its time (s) and what was recorded (SI), shape (n,).
@@ -105,18 +105,18 @@ def decay_page(
     several = len(decays) > 1
     caption = f"Damping from {len(decays)} free decays combined" if several else "Damping from a free decay"
     files = unique_slugs([f"decay {name}" for name in decays])
-    charts = [decay_chart(*one, name, file) for file, (name, one) in zip(files, decays.items(), strict=True)]
-    blocks: list[Block] = [decay_table(found, caption), *findings_blocks(findings), *charts[:1]]
+    charts = [decay_chart(*decay, name, file) for file, (name, decay) in zip(files, decays.items(), strict=True)]
+    blocks: list[Block] = [decay_table(fit, caption), *findings_blocks(findings), *charts[:1]]
     if several:
         blocks += [
-            each_decay([one for one, _, _ in decays.values()], list(decays)),
+            each_decay([decay for decay, _, _ in decays.values()], list(decays)),
             Details("Figures of the other decays", tuple(charts[1:])),
         ]
     return answer_page(title, blocks, "Damping from free decay")
 
 
 def damper_page(
-    found: DamperResult,
+    fit: DamperResult,
     curve: DamperCurve,
     findings: Sequence[Finding],
     *,
@@ -126,7 +126,7 @@ def damper_page(
 
     Parameters
     ----------
-    found : DamperResult
+    fit : DamperResult
         As :func:`jounce.fit_damper` gives it.
     curve : DamperCurve
         Measured and fitted force side by side.
@@ -140,21 +140,21 @@ def damper_page(
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    parameters = fields_of(found, "parameters")
+    parameters = fields_of(fit, "parameters")
     names = ("nrmse", "rms_residual", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
-    note = "; ".join(f"{field.label} {field.in_words()}" for field in fields_of(found, *names)) + "."
+    note = "; ".join(f"{field.label} {field.in_words()}" for field in fields_of(fit, *names)) + "."
     counted = (
-        f"{found.samples} samples of {found.cycles:g} cycles. In the record the stroke is positive in "
-        f"{found.stroke_positive}, the force in {found.force_positive}; the law is positive in compression."
+        f"{fit.samples} samples of {fit.cycles:g} cycles. In the record the stroke is positive in "
+        f"{fit.stroke_positive}, the force in {fit.force_positive}; the law is positive in compression."
     )
     words = "Force against velocity and against displacement, measured and fitted."
-    picture = Picture(lambda: figure_of(curve, law=found.law), "damper", words, words)
-    table = as_table(fields_table(f"Damper, {found.law} law", parameters), note)
-    tables = {"damper": found.damper, "friction": found.friction}
+    picture = Picture(lambda: figure_of(curve, law=fit.law), "damper", words, words)
+    table = as_table(fields_table(f"Damper, {fit.law} law", parameters), note)
+    tables = {"damper": fit.damper, "friction": fit.friction}
     rig = Bullets(tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None))
     in_rig = Paragraph("In a rig file, below [strut], positive in compression (bump):")
     blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *findings_blocks(findings), picture]
-    return answer_page(title, blocks, f"Damper, {found.law} law")
+    return answer_page(title, blocks, f"Damper, {fit.law} law")
 
 
 def _toml(table: dict[str, Any]) -> str:
@@ -166,12 +166,12 @@ def _toml(table: dict[str, Any]) -> str:
     return inline.as_string()
 
 
-def hardpoints_page(found: HardpointFit, *, title: str) -> Page:
+def hardpoints_page(fit: HardpointFit, *, title: str) -> Page:
     """Put hardpoints that give measured poses on a page, with what is left of each measured quantity.
 
     Parameters
     ----------
-    found : HardpointFit
+    fit : HardpointFit
         As :func:`jounce.fit_hardpoints` gives it.
     title : str
         Head of the page.
@@ -182,21 +182,21 @@ def hardpoints_page(found: HardpointFit, *, title: str) -> Page:
         To be written with :data:`jounce.report.REPORTS`.
     """
     rows = [
-        _moved(label, estimate, "m" if "hardpoints." in label else "1", found.before[label])
-        for label, estimate in found.numbers.items()
+        _change_row(label, estimate, "m" if "hardpoints." in label else "1", fit.before[label])
+        for label, estimate in fit.numbers.items()
     ]
     rows += [
-        _moved(f"offset of {name}", estimate, found.quantities[name].unit, 0.0)
-        for name, estimate in found.offsets.items()
+        _change_row(f"offset of {name}", estimate, fit.quantities[name].unit, 0.0)
+        for name, estimate in fit.offsets.items()
     ]
     header = ("number", "before", "found", "by", "95 % interval of the change", "unit")
-    note = f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses."
+    note = f"{fit.agreed} of {fit.starts} starts ended there; {len(fit.wheel_travel)} poses."
     points = PageTable("Points", header, tuple(rows), "lrrrrl", note)
-    left = as_table(group_table("What is left, root mean square", found.quantities))
-    return answer_page(title, [points, left, *findings_blocks(found.findings)], "Hardpoints from measured poses")
+    left = as_table(group_table("What is left, root mean square", fit.quantities))
+    return answer_page(title, [points, left, *findings_blocks(fit.findings)], "Hardpoints from measured poses")
 
 
-def _moved(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
+def _change_row(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
     """Row of a number before and after; its change has the interval."""
     ends = estimate.interval and (estimate.interval[0] - before, estimate.interval[1] - before)
     change = Estimate(estimate.value - before, estimate.standard_error, ends)

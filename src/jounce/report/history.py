@@ -46,21 +46,21 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
     answer: list[Block] = [Picture(lambda: vehicle_history(visits), "history", words, words)]
     if trends:
         rows = tuple(
-            (f"{one.axle} {one.wheel}".strip(), *_change(one), str(one.visits))
-            for one in trends
-            if one.quantity in QUANTITIES
+            (f"{trend.axle} {trend.wheel}".strip(), *_change(trend), str(trend.visits))
+            for trend in trends
+            if trend.quantity in QUANTITIES
         )
         answer.insert(0, PageTable("Change per year", ("wheel", "value", "per year", "visits"), rows, "llrr"))
-    names = list(dict.fromkeys(name for one in visits for name in one.values if name in QUANTITIES))
+    names = list(dict.fromkeys(name for visit in visits for name in visit.values if name in QUANTITIES))
     every = tuple(
         (
-            one.date or "–",
-            f"{one.axle} {one.wheel}".strip(),
-            *(_value(one, name) for name in names),
-            Cell(verdict_words(one.verdict), _TONES.get(one.verdict, "fair")) if one.verdict else "–",
-            str(one.record),
+            visit.date or "–",
+            f"{visit.axle} {visit.wheel}".strip(),
+            *(_value(visit, name) for name in names),
+            Cell(verdict_words(visit.verdict), _TONES.get(visit.verdict, "fair")) if visit.verdict else "–",
+            str(visit.record),
         )
-        for one in visits
+        for visit in visits
     )
     header = ("date", "wheel", *(QUANTITIES[name].words() for name in names), "verdict", "record")
     table = PageTable(
@@ -71,11 +71,11 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
     )
 
 
-def _value(one: WheelVisit, name: str) -> str:
-    return QUANTITIES[name].text(one.values.get(name)) + (" (unreliable)" if name in one.unreliable else "")
+def _value(visit: WheelVisit, name: str) -> str:
+    return QUANTITIES[name].text(visit.values.get(name)) + (" (unreliable)" if name in visit.unreliable else "")
 
 
-def _change(one: Trend) -> tuple[str, str]:
-    found = QUANTITIES[one.quantity]
-    sign = "+" if one.change_per_year > 0.0 else ""
-    return found.words(), f"{sign}{number(one.change_per_year * found.factor, 2)} {found.unit}".strip()
+def _change(trend: Trend) -> tuple[str, str]:
+    quantity = QUANTITIES[trend.quantity]
+    sign = "+" if trend.change_per_year > 0.0 else ""
+    return quantity.words(), f"{sign}{number(trend.change_per_year * quantity.factor, 2)} {quantity.unit}".strip()

@@ -48,7 +48,7 @@ def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
     title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
     reasons = [f"{grade.wheel}: {reason.text()}" for grade in graded.grades for reason in grade.reasons]
     reasons += [f"axle: {reason.text()}" for reason in graded.reasons]
-    weakening = [one for wheel in graded.wheels for one in wheel.findings if one.severity != "problem"]
+    weakening = [finding for wheel in graded.wheels for finding in wheel.findings if finding.severity != "problem"]
     blocks = (
         as_table(wheel_table(title, graded.wheels)),
         Bullets(tuple(reasons)),
@@ -98,12 +98,16 @@ def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: st
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    shown = [one for name, one in NUMBERS.items() if any(wheel.value(name) is not None for wheel in wheels)]
+    shown = [quantity for name, quantity in NUMBERS.items() if any(wheel.value(name) is not None for wheel in wheels)]
     rows = tuple(
-        (number(lost, 3), *(one.text(wheel.value(one.name), with_unit=False) for one in shown), wheel.verdict)
+        (
+            number(lost, 3),
+            *(quantity.text(wheel.value(quantity.name), with_unit=False) for quantity in shown),
+            wheel.verdict,
+        )
         for lost, wheel in zip(wear, wheels, strict=True)
     )
-    header = ("wear", *(one.label() for one in shown), "verdict")
+    header = ("wear", *(quantity.label() for quantity in shown), "verdict")
     table = PageTable("Over damper wear", header, rows, "r" * (len(shown) + 1) + "l")
     return Page(title, (Section("Answer", (table,)),))
 

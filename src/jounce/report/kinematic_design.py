@@ -39,12 +39,12 @@ _FINE = 1e-6  # of a tolerance: what rounding leaves of nothing
 _SMALLEST = 0.02  # m of travel that is shown at least
 
 
-def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None) -> Page:
+def kinematic_design_page(design: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None) -> Page:
     """Put a kinematic design on a page.
 
     Parameters
     ----------
-    found : KinematicDesign
+    design : KinematicDesign
         What :func:`jounce.design_kinematics` found.
     title : str
         Name of the study.
@@ -57,54 +57,54 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
     Page
         To be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
     """
-    met = sum(target.met for target in found.targets)
-    good = sum(start.met for start in found.starts)
+    met = sum(target.met for target in design.targets)
+    good = sum(start.met for start in design.starts)
     facts = Facts(
         (
             Fact(
                 "Targets met",
-                f"{met} of {len(found.targets)}",
+                f"{met} of {len(design.targets)}",
                 "within their tolerances",
-                "good" if found.met else "bad",
+                "good" if design.met else "bad",
             ),
-            Fact("Searches that met all", f"{good} of {len(found.starts)}", f"{found.evaluations} designs computed"),
+            Fact("Searches that met all", f"{good} of {len(design.starts)}", f"{design.evaluations} designs computed"),
             Fact(
                 "Numbers moved",
-                str(sum(one.before != one.after for one in found.moved.values())),
-                f"of {len(found.moved)} free or tied",
+                str(sum(change.before != change.after for change in design.moved.values())),
+                f"of {len(design.moved)} free or tied",
             ),
         )
     )
-    answer: list[Block] = [facts, _targets(found)]
-    if found.fights:
-        answer.append(Bullets(tuple(_fight(found, fight) for fight in found.fighting())))
-    answer += findings_blocks(found.findings)
-    one = f"1 {display_unit('m').name}"
+    answer: list[Block] = [facts, _targets(design)]
+    if design.fights:
+        answer.append(Bullets(tuple(_fight(design, fight) for fight in design.fighting())))
+    answer += findings_blocks(design.findings)
+    millimetre = f"1 {display_unit('m').name}"
     words = {
         "targets": "Wanted curves before and after with their bands; single values in tolerances from what is wanted.",
-        "sensitivity": f"What {one} of the coordinates that matter most changes of each target, in its tolerances.",
+        "sensitivity": f"How far {millimetre} of the decisive coordinates shifts each target, in its tolerances.",
         "tradeoffs": "Which targets answer when one tolerance more of one is asked: 1 is free to have, less is shared.",
         "spread": "What the spread of the parts does to every target: 95 % of the cars, as built and adjusted.",
         "geometry": "Instant centres, roll centre and steering axis of the rig before and after.",
     }
     drawn = {
         name: Picture(picture, name, words[name.partition("-")[0]], words[name.partition("-")[0]])
-        for name, picture in (pictures or design_pictures(found)).items()
+        for name, picture in (pictures or design_pictures(design)).items()
     }
     geometry = [drawn[name] for name in drawn if name.startswith("geometry")]
     sections = [
         Section("Answer", tuple(answer)),
         Section("Targets", (drawn["targets"],)),
-        Section("Curves", lambda: _curves(found, title)),
+        Section("Curves", lambda: _curves(design, title)),
         Section("Geometry", tuple(geometry)),
-        Section("Moved", (_moved(found), _identified(found))),
+        Section("Moved", (_changes(design), _directions(design))),
         Section("Sensitivity", (drawn["sensitivity"],)),
     ]
     if "tradeoffs" in drawn:
         sections.append(Section("Trade-offs", (drawn["tradeoffs"],)))
-    if found.spread:
+    if design.spread:
         blocks: list[Block] = []
-        for name, spread in found.spread.items():
+        for name, spread in design.spread.items():
             own: list[Block] = [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
             own += findings_blocks(spread.findings)
             blocks += [Subsection(name.capitalize(), tuple(own))] if name else own
@@ -112,26 +112,26 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
     return Page(title, tuple(sections), "Hardpoints from kinematic targets")
 
 
-def studied_design_page(found: StudiedDesign, *, title: str) -> Page:
+def studied_design_page(studied: StudiedDesign, *, title: str) -> Page:
     """Put the design of a study file on a page, as :func:`kinematic_design_page` does."""
-    return kinematic_design_page(found.design, title=title)
+    return kinematic_design_page(studied.design, title=title)
 
 
-def _fight(found: KinematicDesign, fight: Any) -> str:
-    missed, other = (found.targets[i].label for i in (fight.missed, fight.other))
+def _fight(design: KinematicDesign, fight: Any) -> str:
+    missed, other = (design.targets[i].label for i in (fight.missed, fight.other))
     return f"{missed} fights {other}: what brings one nearer takes the other away ({number(fight.cosine, 2)})."
 
 
-def _targets(found: KinematicDesign) -> PageTable:
+def _targets(design: KinematicDesign) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
-    for target in found.targets:
+    for target in design.targets:
         unit = display_unit(target.unit, float(np.max(np.abs(target.after))))
         rows.append(
             (
                 _name(target) + (", must hold" if target.must else ""),
                 unit.name or "–",
-                *(_shown(value, target, unit.factor) for value in (target.before, target.after)),
-                _wanted(target, unit.factor),
+                *(_target_value(value, target, unit.factor) for value in (target.before, target.after)),
+                _target_range(target, unit.factor),
                 f"± {number(target.tolerance * unit.factor, 2)}",
                 Cell("met", "good") if target.met else Cell("missed", "bad"),
             )
@@ -148,7 +148,7 @@ def _name(target: TargetResult) -> str:
     return f"{target.label} at {target.pose(0)}" if len(target.at) == 1 and target.at[0] else target.label
 
 
-def _shown(value: float | list[float], target: TargetResult, factor: float) -> str:
+def _target_value(value: float | list[float], target: TargetResult, factor: float) -> str:
     """Write a value, the ends of a curve, or how far it is from one that is wanted, and where."""
     if not target.has_curve:
         return _span(value, factor, _FINE * target.tolerance)
@@ -162,7 +162,7 @@ def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
     return " to ".join(dict.fromkeys(number(0.0 if abs(end) < least else end * factor) for end in ends))
 
 
-def _wanted(target: TargetResult, factor: float) -> str:
+def _target_range(target: TargetResult, factor: float) -> str:
     if target.limits:
         low, high = (None if end is None else number(end * factor) for end in target.wanted)
         if low is None:
@@ -171,21 +171,21 @@ def _wanted(target: TargetResult, factor: float) -> str:
     return "0 from it" if target.has_curve else _span(target.wanted, factor)
 
 
-def _moved(found: KinematicDesign) -> PageTable:
+def _changes(design: KinematicDesign) -> PageTable:
     rows = []
-    for path, change in found.moved.items():
+    for path, change in design.moved.items():
         unit = display_unit("m" if "hardpoints." in path else "1", 0.1)
         ends = (change.before, change.after, change.after - change.before)
         rows.append((path, unit.name or "SI", *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends)))
     return PageTable("Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr")
 
 
-def _identified(found: KinematicDesign) -> PageTable:
+def _directions(design: KinematicDesign) -> PageTable:
     rows = []
-    for one in found.identified:
-        unit = display_unit(one.unit, 0.1)
-        ends = ("–" if end is None else number(end * unit.factor, 2) for end in (one.alone, one.together))
-        rows.append((one.number, unit.name or one.unit, *ends))
+    for direction in design.identified:
+        unit = display_unit(direction.unit, 0.1)
+        ends = ("–" if end is None else number(end * unit.factor, 2) for end in (direction.alone, direction.together))
+        rows.append((direction.number, unit.name or direction.unit, *ends))
     note = (
         "Standard deviation of each number where the curves are known to their tolerances: all others known, and all "
         "sought at once. A dash: the curves do not tell it."
@@ -200,12 +200,12 @@ def _spread(name: str, spread: KinematicSpread) -> PageTable:
         ("all targets are met by", "%", number(100.0 * spread.met, 3), adjusted),
         *(
             (
-                f"{one.replace('_', ' ')} needs",
+                f"{adjustment.replace('_', ' ')} needs",
                 unit.name,
                 number(need.low * unit.factor, 3),
                 number(need.high * unit.factor, 3),
             )
-            for one, need in spread.adjustments.items()
+            for adjustment, need in spread.adjustments.items()
         ),
     ]
     head = f"{spread.cars} cars of {name}" if name else f"{spread.cars} cars"
@@ -213,19 +213,20 @@ def _spread(name: str, spread: KinematicSpread) -> PageTable:
     return PageTable(head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note)
 
 
-def _curves(found: KinematicDesign, title: str) -> tuple[Block, ...]:
+def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
     """Sweeps of the rigs found and of those begun with, over what the targets are wanted over."""
     blocks: list[Block] = []
-    for name, start in found.before().items():
-        rig = found.rigs[name]
-        mine = [target for target in found.targets if target.rig == name]
+    for name, start in design.before().items():
+        rig = design.rigs[name]
+        mine = [target for target in design.targets if target.rig == name]
         at = [place for target in mine if target.along == "travel" for place in target.at]
         ends = (min([*at, -_SMALLEST]), max([*at, _SMALLEST]))
         swept = {
-            label: sweep_travel(one, np.linspace(*ends, _POINTS)) for label, one in (("after", rig), ("before", start))
+            label: sweep_travel(shown_rig, np.linspace(*ends, _POINTS))
+            for label, shown_rig in (("after", rig), ("before", start))
         }
         held = set.intersection(*(set(map(str, sweep.data_vars)) for sweep in swept.values()))
-        first = [one for one in dict.fromkeys(target.quantity for target in mine) if one in held][:4]
+        first = [quantity for quantity in dict.fromkeys(target.quantity for target in mine) if quantity in held][:4]
         label = f"{name} over travel".strip()
         shown = f"{title}, {name}" if name else title
         file = f"curves-{name}" if name else "curves"

@@ -46,50 +46,50 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
     return Page(title or "Campaign of a folder", (Section("Files", (files, Findings(made.findings))),))
 
 
-def new_campaign_page(found: NewCampaign, *, title: str) -> Page:
+def new_campaign_page(start: NewCampaign, *, title: str) -> Page:
     """Put a new campaign on a page: its files, or what measured files were taken for, and how to go on."""
-    campaign = str(found.campaign)
+    campaign = str(start.campaign)
     run = command_line(["jounce", "campaign", "run", campaign, "--out", "results"])
-    if found.made is not None:
-        page = folder_page(found.made, title=title)
+    if start.made is not None:
+        page = folder_page(start.made, title=title)
         return replace(page, sections=(*page.sections, Section("Next", (Bullets((run,)),))))
-    files = Paragraph(f"Files: {', '.join(found.files)}")
+    files = Paragraph(f"Files: {', '.join(start.files)}")
     text = Paragraph("Next: put your measurements there, edit campaign.toml, then")
     commands = Bullets((command_line(["jounce", "check", campaign]), run))
     return Page(title, (Section("Files", (files, text, commands)),))
 
 
-def calibration_page(found: Calibration, *, title: str = "") -> Page:
+def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
     """Sensitivity and zero with their intervals, the points beside the line, and the keys of a sensor."""
-    sensitivity, zero = fields_of(found, "sensitivity", "zero")
-    known = [field for field in fields_of(found, "residual", "gain_doubt") if field.value is not None]
+    sensitivity, zero = fields_of(calibration, "sensitivity", "zero")
+    known = [field for field in fields_of(calibration, "residual", "gain_doubt") if field.value is not None]
     note = "; ".join(f"{field.label} {field.in_words()}" for field in known) + "."
     results = as_table(fields_table("Calibration", [sensitivity, zero]), note)
-    rounding = 1e-12 * max(map(abs, found.recorded))
+    rounding = 1e-12 * max(map(abs, calibration.recorded))
     points = table_of(
         "Points",
         (
-            TableColumn("reference", list(found.reference), found.quantity_unit),
-            TableColumn(f"recorded [{zero.unit}]", [f"{y:.6g}" for y in found.recorded]),
+            TableColumn("reference", list(calibration.reference), calibration.quantity_unit),
+            TableColumn(f"recorded [{zero.unit}]", [f"{y:.6g}" for y in calibration.recorded]),
             TableColumn(
                 f"off the line [{zero.unit}]",
-                [f"{y:+.2g}" if abs(y) > rounding else "0" for y in found.off_the_line()],
+                [f"{y:+.2g}" if abs(y) > rounding else "0" for y in calibration.off_the_line()],
             ),
         ),
     )
-    keys = Bullets(tuple(f"{name} = {json.dumps(value)}" for name, value in found.sensor().items()))
+    keys = Bullets(tuple(f"{name} = {json.dumps(value)}" for name, value in calibration.sensor().items()))
     in_file = Paragraph("As keys of a sensor in a campaign, or of a channel in the settings of a laboratory:")
     words = "What was recorded against the known sizes with the fitted line, and the points off that line."
-    picture = Picture(lambda: figure_of(found), "calibration", words, words)
-    blocks = (results, points, in_file, keys, Findings(found.findings), picture)
+    picture = Picture(lambda: figure_of(calibration), "calibration", words, words)
+    blocks = (results, points, in_file, keys, Findings(calibration.findings), picture)
     return Page(title or "Calibration", (Section("Calibration", blocks),), "Calibration of a sensor")
 
 
-def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
+def model_choice_page(choice: ModelChoice, *, title: str = "") -> Page:
     """Models of an update side by side, the one that the data support best first."""
-    models = found.models
+    models = choice.models
     table = table_of(
-        f"Models of {found.update}",
+        f"Models of {choice.update}",
         (
             TableColumn("model", [row.model for row in models]),
             TableColumn("parameters", [str(row.parameters) for row in models]),
@@ -101,7 +101,7 @@ def model_choice_page(found: ModelChoice, *, title: str = "") -> Page:
         ),
         "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
     )
-    return Page(title or "Models compared", (Section("Models", (table, Findings(found.findings))),))
+    return Page(title or "Models compared", (Section("Models", (table, Findings(choice.findings))),))
 
 
 _NOTES = (
@@ -133,7 +133,7 @@ def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
     trials = table_of("Trials in the order of the least setting up", _trial_columns(sheet))
     sections = [
         Section("Settings", (facts, card)),
-        Section("Trials", (trials, Paragraph(_PREDICTED, "muted"), _taught(sheet))),
+        Section("Trials", (trials, Paragraph(_PREDICTED, "muted"), _information_table(sheet))),
         Section("To note", (Bullets(_NOTES),)),
     ]
     if sheet.for_students:
@@ -166,7 +166,7 @@ def _trial_columns(sheet: TestSheet) -> list[TableColumn]:
     return [*shown, TableColumn("file, remarks", ["" for _ in trials])]
 
 
-def _taught(sheet: TestSheet) -> PageTable:
+def _information_table(sheet: TestSheet) -> PageTable:
     """Standard error of each parameter by each trial alone."""
     paths = dict.fromkeys(path for trial in sheet.trials for path in trial.teaches)
     columns = [

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from jounce.core.types import Array
 from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
 from jounce.plots.mechanisms.scene import MIDDLE
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 from jounce.report.chart import Panel, Series
 
 if TYPE_CHECKING:
@@ -202,10 +202,10 @@ class PageArrays:
         key = blake2b(values.tobytes(), digest_size=16).digest()
         if key not in self.known:
             self.known[key] = len(self.arrays)
-            self.arrays.append(self._packed(values))
+            self.arrays.append(self._pack(values))
         return self.known[key]
 
-    def _packed(self, values: Array) -> dict[str, Any]:
+    def _pack(self, values: Array) -> dict[str, Any]:
         n = len(values)
         steps = np.diff(values)
         if n > 1 and np.isfinite(steps).all() and np.ptp(steps) <= 1e-6 * abs(float(steps.mean())):
@@ -219,18 +219,18 @@ class PageArrays:
         whole = np.full(n, _GAP, np.int64)
         whole[finite] = np.round((values[finite] - low) / step)
         best = min(range(3), key=lambda order: _size(whole, order))
-        folded = _folded(whole, best)
-        found = {"n": n, "at": self.length, "order": best, "low": low, "step": step}
+        folded = _fold_differences(whole, best)
+        entry = {"n": n, "at": self.length, "order": best, "low": low, "step": step}
         self.planes += [(folded & 255).astype(np.uint8).tobytes(), (folded >> 8).astype(np.uint8).tobytes()]
         self.length += 2 * n
-        return found
+        return entry
 
     def text(self) -> str:
         """All arrays deflated, as base64."""
         return base64.b64encode(zlib.compress(b"".join(self.planes), 6)).decode()
 
 
-def _folded(whole: Whole, order: int) -> Whole:
+def _fold_differences(whole: Whole, order: int) -> Whole:
     """Differences of an order, modulo 2^16, with the sign in the lowest bit."""
     if order == 0:
         return whole
@@ -241,7 +241,7 @@ def _folded(whole: Whole, order: int) -> Whole:
 
 
 def _size(whole: Whole, order: int) -> float:
-    folded = _folded(whole, order)
+    folded = _fold_differences(whole, order)
     return float(np.log2(1.0 + folded).mean()) if len(folded) else 0.0
 
 
@@ -283,29 +283,29 @@ def live_bytes(viewers: Sequence[Viewer], more: Mapping[str, Any]) -> bytes:
 def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[str, Any]:
     mechanisms: dict[int, tuple[int, dict[str, Any]]] = {}
 
-    def motion(one: Motion | None, keep: Whole) -> dict[str, Any] | None:
-        if one is None:
+    def motion(shown_motion: Motion | None, keep: Whole) -> dict[str, Any] | None:
+        if shown_motion is None:
             return None
-        if id(one.mechanism) not in mechanisms:
-            whole = mechanism_data(one.mechanism, packed.add if isinstance(packed, Straight) else None)
-            mechanisms[id(one.mechanism)] = len(mechanisms), whole
-        index, _ = mechanisms[id(one.mechanism)]
-        road = one.road and {
-            "x": np.round(1e3 * one.road.distance, 2).tolist(),
-            "z": np.round(1e3 * one.road.height, 3).tolist(),
-            "speed": 1e3 * one.speed,
+        if id(shown_motion.mechanism) not in mechanisms:
+            whole = mechanism_data(shown_motion.mechanism, packed.add if isinstance(packed, Straight) else None)
+            mechanisms[id(shown_motion.mechanism)] = len(mechanisms), whole
+        index, _ = mechanisms[id(shown_motion.mechanism)]
+        road = shown_motion.road and {
+            "x": np.round(1e3 * shown_motion.road.distance, 2).tolist(),
+            "z": np.round(1e3 * shown_motion.road.height, 3).tolist(),
+            "speed": 1e3 * shown_motion.speed,
         }
-        tracks = {name: packed.add(1e3 * getattr(one, name)[keep]) for name in ("body", "travel", "ground")}
-        return {"mechanism": index, **tracks, "load": packed.add(one.load[keep]), "road": road}
+        tracks = {name: packed.add(1e3 * getattr(shown_motion, name)[keep]) for name in ("body", "travel", "ground")}
+        return {"mechanism": index, **tracks, "load": packed.add(shown_motion.load[keep]), "road": road}
 
-    def scene(one: ViewerScene) -> dict[str, Any]:
-        keep = _kept(one)
+    def scene(viewer_scene: ViewerScene) -> dict[str, Any]:
+        keep = _samples_for_page(viewer_scene)
         return {
-            "name": one.name,
-            "label": one.label,
-            "note": one.note,
-            "tone": one.tone,
-            "x": packed.add(one.x[keep]),
+            "name": viewer_scene.name,
+            "label": viewer_scene.label,
+            "note": viewer_scene.note,
+            "tone": viewer_scene.tone,
+            "x": packed.add(viewer_scene.x[keep]),
             "panes": [
                 {
                     "name": pane.name,
@@ -317,18 +317,18 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
                         for curve in pane.curves
                     ],
                 }
-                for pane in one.panes
+                for pane in viewer_scene.panes
             ],
-            "spans": [list(span) for span in one.spans],
-            "window": None if one.window is None else list(one.window),
-            "motion": motion(one.motion, keep),
+            "spans": [list(span) for span in viewer_scene.spans],
+            "window": None if viewer_scene.window is None else list(viewer_scene.window),
+            "motion": motion(viewer_scene.motion, keep),
         }
 
     models = [
         {
             "title": viewer.title,
             "roles": [{"role": role, "label": label, "shown": shown} for role, label, shown in viewer.roles],
-            "scenes": [scene(one) for one in viewer.scenes],
+            "scenes": [scene(viewer_scene) for viewer_scene in viewer.scenes],
             "x": {"words": viewer.words, "unit": viewer.unit},
             "stage": viewer.stage,
             "slower": viewer.slower,
@@ -342,7 +342,7 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
     }
 
 
-def _kept(scene: ViewerScene) -> Whole:
+def _samples_for_page(scene: ViewerScene) -> Whole:
     """Samples that are put into the page: all of them, or of a long record those that show its peaks."""
     n = len(scene.x)
     if n <= _MOST_SAMPLES:
@@ -351,13 +351,13 @@ def _kept(scene: ViewerScene) -> Whole:
     columns = max(_MOST_SAMPLES // (4 * max(len(curves), 1)), 500)
     index = np.arange(n, dtype=float)
     seen = [np.nan_to_num(values) for values in curves]
-    return np.unique(np.concatenate([thinned(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
+    return np.unique(np.concatenate([thin(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
 
 
-def mechanism_data(one: PosedRig, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
+def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
     """Give a mechanism and its poses over travel as plain data in mm; places as indices where ``add`` takes them."""
     placed = (lambda values: add(1e3 * values)) if add else _mm
-    drawing, poses = one.drawing, one.poses
+    drawing, poses = posed.drawing, posed.poses
     order = np.argsort(poses.over)
     names = list(poses.points)
     index = {name: i for i, name in enumerate(names)}
@@ -395,7 +395,7 @@ def mechanism_data(one: PosedRig, add: Callable[[Array], int] | None = None) -> 
         "axis": None if drawing.steering_axis is None else [index[name] for name in drawing.steering_axis],
         "wheel": {
             "centre": index["wheel_centre"],
-            "radius": _mm(np.array(drawing.undeformed_radius if one.rolls else drawing.radius)),
+            "radius": _mm(np.array(drawing.undeformed_radius if posed.rolls else drawing.radius)),
             "width": _mm(np.array(drawing.width)),
         },
     }

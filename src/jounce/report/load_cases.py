@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from jounce.parts.corners import Corner
 
 
-def load_cases_page(rig: Corner, found: xr.Dataset, findings: Sequence[Finding], *, title: str) -> Page:
+def load_cases_page(rig: Corner, loads: xr.Dataset, findings: Sequence[Finding], *, title: str) -> Page:
     """Put load cases on a page: every force by case and wheel, then each case drawn.
 
     Parameters
     ----------
     rig : Corner
         The corner that the cases are of.
-    found : xarray.Dataset
+    loads : xarray.Dataset
         As :func:`jounce.load_cases` gives it.
     findings : sequence of Finding
         What weakens the numbers.
@@ -51,47 +51,47 @@ def load_cases_page(rig: Corner, found: xr.Dataset, findings: Sequence[Finding],
     >>> [section.title for section in load_cases_page(rig, found, (), title="Front axle").sections]
     ['Answer', 'Drawn']
     """
-    cases = [str(name) for name in found["case"].to_numpy()]
-    names = [str(name) for name in found.data_vars]
+    cases = [str(name) for name in loads["case"].to_numpy()]
+    names = [str(name) for name in loads.data_vars]
     points = [name[:-3] for name in names if name.endswith(".fx")]
-    sizes = {point: np.sqrt(sum(found[f"{point}.f{axis}"].to_numpy() ** 2 for axis in "xyz")) for point in points}
-    wheels = _table("Loads and travel of the wheels", cases, found, {
-        name.replace("_", " "): (found[name].to_numpy(), str(found[name].attrs["units"]))
+    sizes = {point: np.sqrt(sum(loads[f"{point}.f{axis}"].to_numpy() ** 2 for axis in "xyz")) for point in points}
+    wheels = _table("Loads and travel of the wheels", cases, loads, {
+        name.replace("_", " "): (loads[name].to_numpy(), str(loads[name].attrs["units"]))
         for name in ("vertical_force", "lateral_force", "longitudinal_force", "wheel_travel")
     })  # fmt: skip
-    links = _table("Forces of links and springs, compression positive", cases, found, {
-        name.replace("_", " ").replace(".", ", "): (found[name].to_numpy(), str(found[name].attrs["units"]))
+    links = _table("Forces of links and springs, compression positive", cases, loads, {
+        name.replace("_", " ").replace(".", ", "): (loads[name].to_numpy(), str(loads[name].attrs["units"]))
         for name in names if name.endswith((".axial_force", ".force", ".torque"))
     })  # fmt: skip
-    pickups = _table("Sizes of forces at hardpoints", cases, found, {
+    pickups = _table("Sizes of forces at hardpoints", cases, loads, {
         point.replace("_", " "): (values, "N") for point, values in sizes.items()
     })  # fmt: skip
     answer: list[Block] = [Findings(tuple(findings))] if findings else []
     answer += [wheels, links, pickups]
-    drawn = Section("Drawn", lambda: tuple(_drawn(rig, found, case) for case in cases))
+    drawn = Section("Drawn", lambda: tuple(_draw_case(rig, loads, case) for case in cases))
     return Page(title, (Section("Answer", tuple(answer)), drawn), "Load cases")
 
 
-def axle_loads_page(found: AxleLoads, *, title: str) -> Page:
+def axle_loads_page(axle_loads: AxleLoads, *, title: str) -> Page:
     """Put the loads of an axle on a page, as :func:`load_cases_page` does."""
-    return load_cases_page(found.rig, found.data, found.findings, title=title)
+    return load_cases_page(axle_loads.rig, axle_loads.data, axle_loads.findings, title=title)
 
 
-def _drawn(rig: Corner, found: xr.Dataset, case: str) -> Subsection:
+def _draw_case(rig: Corner, loads: xr.Dataset, case: str) -> Subsection:
     from jounce.plots.mechanisms.load_cases import load_case
 
     words = "Forces of the road on the wheels (red) and of the suspension on the body (blue), front and top view."
-    return Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, found, case), slug(case), words, words),))
+    return Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, loads, case), slug(case), words, words),))
 
 
 def _table(
-    caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]
+    caption: str, cases: Sequence[str], loads: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]
 ) -> PageTable:
     """A row for each quantity and wheel, a column for each case."""
     rows = []
     for words, (numbers, si) in values.items():
         unit = display_unit(si, float(np.nanmax(np.abs(numbers), initial=0.0)))
-        for k, wheel in enumerate(map(str, found["wheel"].to_numpy())):
+        for k, wheel in enumerate(map(str, loads["wheel"].to_numpy())):
             cells = (number(float(value) * unit.factor) for value in numbers[:, k])
             rows.append((words, unit.name, wheel, *cells))
     return PageTable(caption, ("", "unit", "wheel", *cases), tuple(rows), "lll" + "r" * len(cases))

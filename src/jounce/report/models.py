@@ -50,13 +50,13 @@ def curve_blocks(*runs: Any, **options: Any) -> tuple[Block, ...]:
 
 
 def modes_page(
-    found: Sequence[Mode], equilibrium: Mapping[str, float], findings: Sequence[Finding] = (), *, title: str
+    modes: Sequence[Mode], equilibrium: Mapping[str, float], findings: Sequence[Finding] = (), *, title: str
 ) -> Page:
     """Put the oscillating modes of a rig and its static equilibrium on a page.
 
     Parameters
     ----------
-    found : sequence of Mode
+    modes : sequence of Mode
         As :func:`jounce.modes` gives them.
     equilibrium : mapping of str to float
         Channel to its value at rest, SI, as :func:`jounce.equilibrium` gives it.
@@ -78,37 +78,37 @@ def modes_page(
     >>> [section.title for section in page.sections]
     ['Modes', 'Static equilibrium']
     """
-    if not found:
+    if not modes:
         answer: tuple[Block, ...] = (Paragraph("No oscillating mode: all motions are overdamped."),)
     else:
-        names = list(found[0].shape)
+        names = list(modes[0].shape)
         rows = tuple(
             (str(k), number(m.frequency_hz), number(m.damped_frequency_hz), number(m.damping_ratio, 3), _largest(m))
-            for k, m in enumerate(found, 1)
+            for k, m in enumerate(modes, 1)
         )
         header = ("mode", "natural frequency [Hz]", "damped [Hz]", "damping ratio [–]", "moves most")
-        shapes = tuple((name, *(number(abs(complex(*m.shape[name])), 3) for m in found)) for name in names)
+        shapes = tuple((name, *(number(abs(complex(*m.shape[name])), 3) for m in modes)) for name in names)
         words = "Shape of each mode: motion of every coordinate relative to the largest."
         answer = (
             PageTable("Modes by rising natural frequency", header, rows, "lrrrl"),
-            picture_of(list(found), "modes", words),
+            picture_of(list(modes), "modes", words),
             PageTable(
                 "Amplitudes of the shapes",
-                ("coordinate", *map(str, range(1, len(found) + 1))),
+                ("coordinate", *map(str, range(1, len(modes) + 1))),
                 shapes,
-                "l" + "r" * len(found),
+                "l" + "r" * len(modes),
             ),
         )
     rest = tuple((name, *_at_rest(name, value)) for name, value in equilibrium.items())
     statics = PageTable("Static equilibrium", ("quantity", "unit", "value"), rest, "llr")
-    told = (Findings(tuple(findings)),) if findings else ()
-    sections = (Section("Modes", (*answer, *told)), Section("Static equilibrium", (statics,)))
+    advice = (Findings(tuple(findings)),) if findings else ()
+    sections = (Section("Modes", (*answer, *advice)), Section("Static equilibrium", (statics,)))
     return Page(title, sections, "Linear model about rest")
 
 
-def modal_analysis_page(found: ModalAnalysis, *, title: str) -> Page:
+def modal_analysis_page(analysis: ModalAnalysis, *, title: str) -> Page:
     """Put a modal analysis on a page, as :func:`modes_page` does."""
-    return modes_page(found.modes, found.equilibrium, found.findings, title=title)
+    return modes_page(analysis.modes, analysis.equilibrium, analysis.findings, title=title)
 
 
 def _at_rest(name: str, value: float) -> tuple[str, str]:
@@ -125,13 +125,13 @@ def _largest(mode: Mode) -> str:
 
 
 def roughness_page(
-    found: Roughness, distance: Array, height: Array, findings: Sequence[Finding], *, title: str
+    roughness: Roughness, distance: Array, height: Array, findings: Sequence[Finding], *, title: str
 ) -> Page:
     """Put the roughness of a profile on a page: the index first, its segments, then the profile.
 
     Parameters
     ----------
-    found : Roughness
+    roughness : Roughness
         As :func:`jounce.iri` gives it.
     distance, height : ndarray, shape (n,)
         The profile, m.
@@ -154,7 +154,7 @@ def roughness_page(
     >>> [section.title for section in roughness_page(found, x, z, found.findings, title="Waves").sections]
     ['Answer', 'Profile']
     """
-    length, index = display_unit_for("m", largest=found.end), display_unit("m/km")
+    length, index = display_unit_for("m", largest=roughness.end), display_unit("m/km")
 
     def along(metres: float) -> str:
         return f"{length.factor * metres:g} {length.name}"
@@ -162,9 +162,11 @@ def roughness_page(
     def iri(value: float) -> str:
         return f"{number(index.factor * value)} {index.name}"
 
-    worst = max(found.segments, key=lambda part: part.iri_m_per_km, default=None)
-    facts = [Fact("IRI of the whole profile", iri(found.iri_m_per_km), f"over {along(found.end - found.start)}")]
-    if worst is not None and len(found.segments) > 1:
+    worst = max(roughness.segments, key=lambda part: part.iri_m_per_km, default=None)
+    facts = [
+        Fact("IRI of the whole profile", iri(roughness.iri_m_per_km), f"over {along(roughness.end - roughness.start)}")
+    ]
+    if worst is not None and len(roughness.segments) > 1:
         facts.append(Fact("roughest segment", iri(worst.iri_m_per_km), f"{along(worst.start)} to {along(worst.end)}"))
     rows = tuple(
         (
@@ -173,16 +175,16 @@ def roughness_page(
             number(index.factor * part.iri_m_per_km),
             "shorter than the others" if part.partial else "",
         )
-        for part in found.segments
+        for part in roughness.segments
     )
     segments = PageTable("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
-    note = f"Samples every {found.spacing:g} m, slopes over {found.base:g} m."
+    note = f"Samples every {roughness.spacing:g} m, slopes over {roughness.base:g} m."
 
     def profile() -> xr.Dataset:
         import xarray as xr
 
         steps = np.full(len(distance), np.nan)
-        for part in found.segments:
+        for part in roughness.segments:
             steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = part.iri_m_per_km
         return xr.Dataset(
             {
@@ -198,17 +200,17 @@ def roughness_page(
     return Page(title, (Section("Answer", tuple(answer)), curves), "International roughness index")
 
 
-def profile_page(found: ProfileRoughness, *, title: str) -> Page:
+def profile_page(profile: ProfileRoughness, *, title: str) -> Page:
     """Put a profile of a file with its roughness on a page, as :func:`roughness_page` does."""
-    return roughness_page(found.roughness, found.distance, found.height, found.findings, title=title)
+    return roughness_page(profile.roughness, profile.distance, profile.height, profile.findings, title=title)
 
 
-def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None = None) -> Page:
+def model_comparison_page(comparison: ModelComparison, *, title: str, rig: Rig | None = None) -> Page:
     """Put a 3-D rig and its lumped model side by side on a page: what differs and why, in trials, and over travel.
 
     Parameters
     ----------
-    found : ModelComparison
+    comparison : ModelComparison
         As :func:`jounce.design.model_comparison.compare_models` gives it.
     title : str
         Head of the page.
@@ -222,32 +224,32 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
 
     """
     rows = []
-    for row in found.rows:
+    for row in comparison.rows:
         values = [value for value in (row.spatial, row.lumped) if value is not None]
         unit = display_unit(row.unit, max(map(abs, values), default=0.0))
         cells = (number(None if value is None else value * unit.factor) for value in (row.spatial, row.lumped))
         rows.append((row.quantity, unit.name or "–", *cells, as_printed(row.why)))
     about_rest = PageTable("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
     peaks = []
-    for peak in found.peaks:
+    for peak in comparison.peaks:
         unit = display_unit(peak.unit, peak.spatial)
         both = (number(value * unit.factor) for value in (peak.spatial, peak.lumped))
         peaks.append((peak.trial, peak.channel, unit.name or "–", *both, percent(peak.relative)))
     header = ("trial", "peak of", "unit", "3-D", "lumped", "difference")
     in_trials = PageTable("Largest values in the trials", header, tuple(peaks), "lllrrr")
-    curves = found.curves().rename(travel="wheel_travel")
+    curves = comparison.curves().rename(travel="wheel_travel")
     runs = {str(model): curves.sel(model=model, drop=True) for model in curves["model"].to_numpy()}
     moving = curve_blocks({"": runs}, ["motion_ratio", "wheel_rate"], title=title, rig=rig)
     some = slice(None, None, _EVERY)
-    points = [*found.travel[some].tolist()]
+    points = [*comparison.travel[some].tolist()]
     over_travel = table_of(
         "Over travel",
         (
             TableColumn("travel", points, "m"),
-            TableColumn("motion ratio, 3-D", found.motion_ratio[some].tolist(), "1"),
-            TableColumn("lumped", [found.lumped_motion_ratio] * len(points), "1"),
-            TableColumn("wheel rate, 3-D", found.wheel_rate[some].tolist(), "N/m"),
-            TableColumn("lumped", [found.lumped_wheel_rate] * len(points), "N/m"),
+            TableColumn("motion ratio, 3-D", comparison.motion_ratio[some].tolist(), "1"),
+            TableColumn("lumped", [comparison.lumped_motion_ratio] * len(points), "1"),
+            TableColumn("wheel rate, 3-D", comparison.wheel_rate[some].tolist(), "N/m"),
+            TableColumn("lumped", [comparison.lumped_wheel_rate] * len(points), "N/m"),
         ),
     )
     answer = (about_rest, *((in_trials,) if peaks else ()))
@@ -258,6 +260,6 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
 _EVERY = 3  # points over travel from one row of the table to the next
 
 
-def lumped_comparison_page(found: LumpedComparison, *, title: str) -> Page:
+def lumped_comparison_page(lumped: LumpedComparison, *, title: str) -> Page:
     """Put a 3-D rig and a lumped model of it on a page."""
-    return model_comparison_page(found.comparison, title=title, rig=found.rig)
+    return model_comparison_page(lumped.comparison, title=title, rig=lumped.rig)

@@ -88,7 +88,7 @@ def table_of(caption: str, columns: Sequence[TableColumn], note: str = "") -> Pa
     >>> table_of("Rates", (TableColumn("wheel", ["front"]), TableColumn("rate", [22730.0], "N/m"))).header
     ('wheel', 'rate [N/mm]')
     """
-    written = [_written(column) for column in columns]
+    written = [_write_column(column) for column in columns]
     header = tuple(label for label, _ in written)
     rows = tuple(zip(*(cells for _, cells in written), strict=True))
     return PageTable(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
@@ -113,7 +113,7 @@ def as_table(table: TextTable, note: str = "") -> PageTable:
     return PageTable(table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note)
 
 
-def _written(column: TableColumn) -> tuple[str, list[Cell | str]]:
+def _write_column(column: TableColumn) -> tuple[str, list[Cell | str]]:
     """Write the label and the cells of a column."""
     if not column.unit:
         return column.label, [value if isinstance(value, Cell) else str(value) for value in column.values]
@@ -148,12 +148,12 @@ class Picture:
 def picture_of(result: object, name: str, words: str) -> Picture:
     """Show a result by the figure of its type, drawn where a document is written; the words are its caption, too."""
 
-    def drawn() -> Figure:
+    def draw() -> Figure:
         from jounce.plots import figure_of
 
         return figure_of(result)
 
-    return Picture(drawn, name, words, words)
+    return Picture(draw, name, words, words)
 
 
 @dataclass(frozen=True)
@@ -330,15 +330,15 @@ def unique_slugs(names: Sequence[str]) -> list[str]:
     >>> unique_slugs(["a b", "A-b", "c"])
     ['a-b', 'a-b-2', 'c']
     """
-    found: list[str] = []
+    slugs: list[str] = []
     for name in names:
         base = candidate = slug(name)
         count = 1
-        while candidate in found:
+        while candidate in slugs:
             count += 1
             candidate = f"{base}-{count}"
-        found.append(candidate)
-    return found
+        slugs.append(candidate)
+    return slugs
 
 
 _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
@@ -350,7 +350,7 @@ def alignments(table: PageTable) -> list[str]:
     return [{"l": "left", "r": "right", "c": "centre"}[letter] for letter in letters]
 
 
-def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
+def group_findings(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
     """Group findings by severity, worst first: (severity, heading, (places, message) of each).
 
     The same sentence about many places becomes one.

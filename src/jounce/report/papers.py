@@ -83,9 +83,9 @@ def _headline(study: ProvingGround, damper: str) -> Fact:
         least = min(speeds, key=lambda speed: used[speed])
         why = f"{percent(used[least], 0)} of the travel used even at {3.6 * least:.0f} km/h, without stops in the model"
         return Fact(damper, "not valid", why)
-    found = study.figures["body_acceleration"].sel(damper=damper, speed=within[-1])
+    acceleration = study.figures["body_acceleration"].sel(damper=damper, speed=within[-1])
     words = f"r.m.s. of the body at {3.6 * within[-1]:.0f} km/h, {percent(used[within[-1]], 0)} of the travel used"
-    return Fact(damper, quantity(float(found), "m/s^2", 3), words)
+    return Fact(damper, quantity(float(acceleration), "m/s^2", 3), words)
 
 
 def _travel_used(study: ProvingGround, damper: str, speed: float) -> float:
@@ -97,14 +97,14 @@ def _travel_used(study: ProvingGround, damper: str, speed: float) -> float:
 def _damper(study: ProvingGround) -> Section:
     rows = tuple(
         (
-            f"{one.name}, {law}",
+            f"{damper.name}, {law}",
             number(100.0 * fit.nrmse, 3),
             number(fit.r2, 4),
             number(fit.energy_per_cycle, 4),
             number(fit.fitted_energy_per_cycle, 4),
         )
-        for one in study.dampers
-        for law, fit in one.laws.items()
+        for damper in study.dampers
+        for law, fit in damper.laws.items()
     )
     blocks: list[PageTable | Picture | Paragraph] = [
         PageTable(
@@ -115,12 +115,12 @@ def _damper(study: ProvingGround) -> Section:
             f"The law {LAW} is used below.",
         )
     ]
-    for one in study.dampers:
-        curve = one.curves[LAW]
-        fits = {law: found.fitted for law, found in one.curves.items() if law != "bouc-wen"}
-        figure = partial(damper_loops, curve.displacement, curve.velocity, curve.measured, fits, one.name)
-        words = f"Damper at {one.name}: force against velocity and displacement, measured and fitted."
-        blocks.append(Picture(figure, f"damper-{one.name.replace(' ', '').replace('.', '')}", words, words))
+    for damper in study.dampers:
+        curve = damper.curves[LAW]
+        fits = {law: curve.fitted for law, curve in damper.curves.items() if law != "bouc-wen"}
+        figure = partial(damper_loops, curve.displacement, curve.velocity, curve.measured, fits, damper.name)
+        words = f"Damper at {damper.name}: force against velocity and displacement, measured and fitted."
+        blocks.append(Picture(figure, f"damper-{damper.name.replace(' ', '').replace('.', '')}", words, words))
     return Section("Measured damper", tuple(blocks))
 
 
@@ -241,7 +241,7 @@ _SAME = "The paper's figures are scope screens without numerical values; these c
 def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
     """Give what a case computed as files, name to content: numbers, and the curves of each run."""
     named = ((f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals) for run in study.runs)
-    return {"results.json": to_json(study.to_dict()), **dict(file for one in named for file in curve_files(*one))}
+    return {"results.json": to_json(study.to_dict()), **dict(file for curves in named for file in curve_files(*curves))}
 
 
 def audi_case_summary(study: AudiCase) -> Page:
@@ -547,11 +547,11 @@ def _linear(study: EccentricExciter) -> tuple[Block, ...]:
     )
     tester = tuple(
         (
-            quantity(one.tyre_damping_coefficient, "N*s/m"),
-            f"{100.0 * one.adhesion:.1f} %",
-            quantity(one.frequency_hz, "Hz", 3),
+            quantity(rating.tyre_damping_coefficient, "N*s/m"),
+            f"{100.0 * rating.adhesion:.1f} %",
+            quantity(rating.frequency_hz, "Hz", 3),
         )
-        for one in study.eusama
+        for rating in study.eusama
     )
     return (
         PageTable(
@@ -601,5 +601,5 @@ def _drive(study: EccentricExciter) -> tuple[Block, ...]:
     )
 
 
-def _span(found: Range, unit: str, digits: int) -> str:
-    return f"{quantity(found.min, unit, digits)} to {quantity(found.max, unit, digits)}"
+def _span(ends: Range, unit: str, digits: int) -> str:
+    return f"{quantity(ends.min, unit, digits)} to {quantity(ends.max, unit, digits)}"

@@ -51,12 +51,12 @@ _COUNTED = {
 }
 
 
-def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page:
+def posterior_page(posterior: Posterior, *, title: str, synthetic: str = "") -> Page:
     """Put a posterior on a page.
 
     Parameters
     ----------
-    found : Posterior
+    posterior : Posterior
         As :func:`jounce.posterior` gives it.
     title : str
         Name of what was fitted.
@@ -69,73 +69,86 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
         To be written with :func:`jounce.report.write_page`.
     """
     parts: dict[str, Callable[[], Section]] = {
-        "Answer": lambda: Section("Answer", _answer(found)),
+        "Answer": lambda: Section("Answer", _answer(posterior)),
         "Draws": lambda: Section(
-            "Draws", (Picture(posterior_draws(found), "draws", _DRAWS[found.counted], _DRAWS[found.counted]),)
+            "Draws",
+            (Picture(posterior_draws(posterior), "draws", _DRAWS[posterior.counted], _DRAWS[posterior.counted]),),
         ),
         "Profile likelihood": lambda: Section(
-            "Profile likelihood", (Picture(profile_likelihood(found), "profiles", _PROFILES, _PROFILES),)
+            "Profile likelihood", (Picture(profile_likelihood(posterior), "profiles", _PROFILES, _PROFILES),)
         ),
     }
-    if found.predictions:
-        parts["Predictions"] = lambda: Section("Predictions", _predictions(found))
-    parts["How it was made"] = lambda: Section("How it was made", (_made(found),))
+    if posterior.predictions:
+        parts["Predictions"] = lambda: Section("Predictions", _predictions(posterior))
+    parts["How it was made"] = lambda: Section("How it was made", (_method(posterior),))
     sections, missing = sections_of(parts)
     return Page(
-        title, sections, f"Posterior of {found.name}; {found.counted}", missing=missing,
+        title, sections, f"Posterior of {posterior.name}; {posterior.counted}", missing=missing,
         banner=f"{SYNTHETIC_NOTE}. {synthetic}" if synthetic else "", figure_note=SYNTHETIC_NOTE if synthetic else "",
     )  # fmt: skip
 
 
-def campaign_posterior_page(found: CampaignPosterior, *, title: str) -> Page:
+def campaign_posterior_page(answer: CampaignPosterior, *, title: str) -> Page:
     """Put the posterior of a campaign on a page."""
-    return posterior_page(found.posterior, title=title, synthetic=found.campaign.synthetic)
+    return posterior_page(answer.posterior, title=title, synthetic=answer.campaign.synthetic)
 
 
-def campaign_posterior_summary(found: CampaignPosterior, *, title: str) -> Page:
+def campaign_posterior_summary(answer: CampaignPosterior, *, title: str) -> Page:
     """Put the posterior of a campaign on a page without its figures."""
-    return posterior_summary(found.posterior, title=title)
+    return posterior_summary(answer.posterior, title=title)
 
 
-def posterior_summary(found: Posterior, *, title: str) -> Page:
+def posterior_summary(posterior: Posterior, *, title: str) -> Page:
     """Put a posterior on a page without its figures; ``title`` names what was fitted."""
-    blocks = (*_answer(found), *(_bands(found) if found.predictions else ()))
-    return Page(title, (Section("Answer", blocks),), f"Posterior of {found.name}; {found.counted}")
+    blocks = (*_answer(posterior), *(_bands(posterior) if posterior.predictions else ()))
+    return Page(title, (Section("Answer", blocks),), f"Posterior of {posterior.name}; {posterior.counted}")
 
 
-def _answer(found: Posterior) -> tuple[Block, ...]:
+def _answer(posterior: Posterior) -> tuple[Block, ...]:
     from jounce.identify.posterior import FEWEST_DRAWS, MOST_ERROR, MOST_R_HAT
 
-    worst = max(one.convergence.r_hat for one in found.parameters.values())
-    least = min(min(one.convergence.bulk, one.convergence.tail) for one in found.parameters.values())
+    worst = max(parameter.convergence.r_hat for parameter in posterior.parameters.values())
+    least = min(
+        min(parameter.convergence.bulk, parameter.convergence.tail) for parameter in posterior.parameters.values()
+    )
     facts = (
-        Fact("Counted", found.counted, ""),
-        Fact("Draws", str(found.draws), f"{least:.0f} effective at least", "good" if least >= FEWEST_DRAWS else "fair"),
+        Fact("Counted", posterior.counted, ""),
+        Fact(
+            "Draws", str(posterior.draws), f"{least:.0f} effective at least",
+            "good" if least >= FEWEST_DRAWS else "fair",
+        ),
         Fact("R-hat", f"{worst:.3f}", "1.01 at most", "good" if worst <= MOST_R_HAT else "bad"),
         Fact(
-            "Error of the log density", f"{found.density_error:.2g}", "at draws that were simulated",
-            "good" if found.density_error <= MOST_ERROR else "fair",
+            "Error of the log density", f"{posterior.density_error:.2g}", "at draws that were simulated",
+            "good" if posterior.density_error <= MOST_ERROR else "fair",
         ),
     )  # fmt: skip
     rows = []
-    for path, one in found.parameters.items():
-        unit = display_unit(one.unit or "1", max(abs(one.interval[0]), abs(one.interval[1])))
+    for path, parameter in posterior.parameters.items():
+        unit = display_unit(parameter.unit or "1", max(abs(parameter.interval[0]), abs(parameter.interval[1])))
 
         def ends(pair: tuple[float, float] | None, factor: float = unit.factor) -> str:
             return "–" if pair is None else " to ".join(number(end * factor) for end in pair)
 
-        shown = (number(one.value * unit.factor), ends(one.interval), ends(one.gaussian), ends(one.likelihood))
-        rows.append((path, unit.name or "–", *shown, f"{one.convergence.r_hat:.3f}", f"{one.convergence.bulk:.0f}"))
+        shown = (
+            number(parameter.value * unit.factor),
+            ends(parameter.interval),
+            ends(parameter.gaussian),
+            ends(parameter.likelihood),
+        )
+        rows.append(
+            (path, unit.name or "–", *shown, f"{parameter.convergence.r_hat:.3f}", f"{parameter.convergence.bulk:.0f}")
+        )
     intervals = ("95 % of draws", "Gaussian", "profile likelihood")
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
-    table = PageTable("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
-    blocks: list[Block] = [Paragraph(_COUNTED[found.counted]), Facts(facts), table]
-    blocks += findings_blocks(found.findings)
+    table = PageTable("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(posterior))
+    blocks: list[Block] = [Paragraph(_COUNTED[posterior.counted]), Facts(facts), table]
+    blocks += findings_blocks(posterior.findings)
     return tuple(blocks)
 
 
-def _note(found: Posterior) -> str:
-    if found.counted == "noise only":
+def _note(posterior: Posterior) -> str:
+    if posterior.counted == "noise only":
         return "A dash: the profile does not end within the bounds."
     return (
         "The first two intervals hold what a test machine gives of the part and the model's law over the ride; that of "
@@ -143,32 +156,32 @@ def _note(found: Posterior) -> str:
     )
 
 
-def _bands(found: Posterior) -> tuple[Block, ...]:
+def _bands(posterior: Posterior) -> tuple[Block, ...]:
     rows = []
-    for trial, channels in found.predictions.items():
+    for trial, channels in posterior.predictions.items():
         for channel, band in channels.items():
             share = f"{100.0 * band.inside:.0f} %"
-            told = Cell(share, "good" if band.inside >= _INSIDE else "fair" if band.inside >= _FEW_INSIDE else "bad")
-            rows.append((trial, "fitted" if band.is_fitted else "held out", channel, told))
+            inside = Cell(share, "good" if band.inside >= _INSIDE else "fair" if band.inside >= _FEW_INSIDE else "bad")
+            rows.append((trial, "fitted" if band.is_fitted else "held out", channel, inside))
     header = ("trial", "use", "channel", "samples in the 95 % band")
     return (PageTable("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
 
 
-def _predictions(found: Posterior) -> tuple[Block, ...]:
-    blocks: list[Block] = [*_bands(found)]
-    for trial in found.predictions:
+def _predictions(posterior: Posterior) -> tuple[Block, ...]:
+    blocks: list[Block] = [*_bands(posterior)]
+    for trial in posterior.predictions:
         words = f"{trial}: measured, mean of the draws, and 95 % bands of parameters alone and of all that is counted."
-        picture = Picture(posterior_bands(found, trial), f"bands-{slug(trial)}", words, words)
+        picture = Picture(posterior_bands(posterior, trial), f"bands-{slug(trial)}", words, words)
         blocks.append(Subsection(trial, (picture,)))
     return tuple(blocks)
 
 
-def next_trials_page(found: NextTrials, *, title: str) -> Page:
+def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
     """Put trials that could be run on a page, the one that tells most first.
 
     Parameters
     ----------
-    found : NextTrials
+    ranking : NextTrials
         As :func:`jounce.next_trials` gives it.
     title : str
         Name of the update.
@@ -178,28 +191,31 @@ def next_trials_page(found: NextTrials, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    shown = found.candidates[:_MOST_TRIALS]
+    shown = ranking.candidates[:_MOST_TRIALS]
     errors = [
-        TableColumn(f"± {path}", [now, *(one.standard_errors[path] for one in shown)], found.units[path] or "1")
-        for path, now in found.now.items()
+        TableColumn(
+            f"± {path}", [now, *(candidate.standard_errors[path] for candidate in shown)], ranking.units[path] or "1"
+        )
+        for path, now in ranking.now.items()
     ]
-    names = TableColumn("trial", ["today", *(one.name for one in shown)])
-    gains = TableColumn("gain [nat]", [None, *(one.gain for one in shown)], "1")
-    left = len(found.candidates) - len(shown)
+    names = TableColumn("trial", ["today", *(candidate.name for candidate in shown)])
+    gains = TableColumn("gain [nat]", [None, *(candidate.gain for candidate in shown)], "1")
+    left = len(ranking.candidates) - len(shown)
     more = f"{left} more trials tell less; --json has all. " if left else ""
-    series = "one after the other: " + ", then ".join(one.name for one in found.series)
-    caption = f"What the next trial would tell, {found.counted}"
-    blocks = (table_of(caption, [names, gains, *errors], f"{more}{series}"), Findings(found.findings))
+    series = "one after the other: " + ", then ".join(candidate.name for candidate in ranking.series)
+    caption = f"What the next trial would tell, {ranking.counted}"
+    blocks = (table_of(caption, [names, gains, *errors], f"{more}{series}"), Findings(ranking.findings))
     return Page(title, (Section("Answer", blocks),), "Trials to run next")
 
 
-def _made(found: Posterior) -> Block:
+def _method(posterior: Posterior) -> Block:
     return Bullets((
-        f"The log density is a polynomial through exact values and slopes; {found.evaluations} times all fitted trials "
-        "were simulated for it, 16 of them at draws that nothing had been fitted to.",
-        f"emcee drew {found.draws} points in {found.chains} chains ({100.0 * found.accepted:.0f} % of steps accepted); "
+        f"The log density is a polynomial through exact values and slopes; all fitted trials were "
+        f"simulated {posterior.evaluations} times for it, 16 of them at draws that nothing had been fitted to.",
+        f"emcee drew {posterior.draws} points in {posterior.chains} chains ({100.0 * posterior.accepted:.0f} % of "
+        "steps accepted); "
         "R-hat is rank-normalised, between four ensembles and their earlier and later halves; effective draws are "
         "those of the bulk; both by ArviZ.",
         "Bands are those of draws that were each simulated exactly.",
-        f"Seed {found.seed}: the same numbers each time.",
+        f"Seed {posterior.seed}: the same numbers each time.",
     ))  # fmt: skip

@@ -26,13 +26,13 @@ from jounce.inspection.quantities import LANGUAGES, Language, WheelQuantity, wit
 from jounce.inspection.reasons import Reason, verdict_words
 from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
-from jounce.plots import rendered
+from jounce.plots import render_figure
 from jounce.plots.inspection import inspection_curves
 from jounce.report.live import Pane, Viewer
 from jounce.report.page import as_printed
 from jounce.report.recordings import DIFFERENCE, curve_blocks
-from jounce.report.render import TEMPLATES, filled, inline_svg
-from jounce.report.typeset import TYPESETTER, breakable, compiled
+from jounce.report.render import TEMPLATES, fill_template, inline_svg
+from jounce.report.typeset import TYPESETTER, breakable, typeset
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -138,12 +138,12 @@ PROTOCOLS = Formats("protocols", {".pdf": _write_pdf, ".html": _write_html}, {".
 
 def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
     """What the records say for the head of the page; texts of two records that differ are both given."""
-    found: dict[str, str] = {}
+    facts: dict[str, str] = {}
     for name in SAID:
-        texts = [str(one.inspection.facts[name]) for one in vehicle.axles if one.inspection.facts.get(name)]
+        texts = [str(axle.inspection.facts[name]) for axle in vehicle.axles if axle.inspection.facts.get(name)]
         if texts:
-            found[name] = ", ".join(dict.fromkeys(texts))
-    return found
+            facts[name] = ", ".join(dict.fromkeys(texts))
+    return facts
 
 
 def protocol_data(vehicle: VehicleGrade, about: Mapping[str, str]) -> dict[str, Any]:
@@ -165,7 +165,7 @@ def protocol_html(
     content = protocol_content(vehicle, _facts(vehicle, about), language=_language(language), software=_software())
     figures = _figures(vehicle, records, language)
     alternative = content["words"]["curves"]
-    return filled(
+    return fill_template(
         "protocol",
         _viewers(vehicle, records or {}, content["words"]),
         c=content,
@@ -201,11 +201,11 @@ def _in_words(viewer: Viewer, words: Mapping[str, str]) -> Viewer:
     """Name channels as the rest of the page does; differences are of the second wheel from the first."""
     between = " − ".join(label for _, label, _ in reversed(viewer.roles))
 
-    def pane(one: Pane) -> Pane:
-        mark = DIFFERENCE if one.name.startswith(DIFFERENCE) else ""
-        channel = one.name.removeprefix(DIFFERENCE)
+    def pane(pane_of_wheel: Pane) -> Pane:
+        mark = DIFFERENCE if pane_of_wheel.name.startswith(DIFFERENCE) else ""
+        channel = pane_of_wheel.name.removeprefix(DIFFERENCE)
         name = mark + words.get(channel.replace(".", "_"), channel)
-        return replace(one, name=name, words=f"{name}: {between}" if mark else name)
+        return replace(pane_of_wheel, name=name, words=f"{name}: {between}" if mark else name)
 
     scenes = (replace(scene, panes=tuple(map(pane, scene.panes))) for scene in viewer.scenes)
     return replace(viewer, scenes=tuple(scenes), words=words["time"])
@@ -232,8 +232,8 @@ def protocol_pdf(
     The same content gives the same bytes: the document's date is the day of the test, and where that is known the file
     is PDF/A-2b. Reasons and remarks that find no room are counted, never cut: the JSON file holds all of them.
     """
-    files, day = _fitted(vehicle, records, _language(language), _facts(vehicle, about))
-    pages: bytes = compiled(files, "pdf", **({"pdf_standards": "a-2b"} if day is not None else {}))
+    files, day = _fit_on_page(vehicle, records, _language(language), _facts(vehicle, about))
+    pages: bytes = typeset(files, "pdf", **({"pdf_standards": "a-2b"} if day is not None else {}))
     return pages
 
 
@@ -246,12 +246,12 @@ def protocol_png(
     ppi: float = 110.0,
 ) -> list[bytes]:
     """Give the pages of the PDF as pictures of ``ppi`` dots per inch; other arguments as in `write_protocol`."""
-    files, _ = _fitted(vehicle, records, _language(language), _facts(vehicle, about))
-    pages: list[bytes] = compiled(files, "png", ppi=ppi)
+    files, _ = _fit_on_page(vehicle, records, _language(language), _facts(vehicle, about))
+    pages: list[bytes] = typeset(files, "png", ppi=ppi)
     return pages
 
 
-def _fitted(
+def _fit_on_page(
     vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language, said: Mapping[str, str]
 ) -> tuple[dict[str, bytes], tuple[int, int, int] | None]:
     """Files of the typst document with as many reasons and remarks as one page holds, and the day of the test."""
@@ -267,7 +267,7 @@ def _fitted(
             "protocol.json": data.encode("utf-8", "replace"),
             **figures,
         }
-        if len(compiled(files, "png", ppi=_COUNTING)) == 1:
+        if len(typeset(files, "png", ppi=_COUNTING)) == 1:
             fits = most
             if most == _MOST or too_many - fits == 1:
                 return files, day
@@ -279,7 +279,7 @@ def _fitted(
 
 def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language) -> dict[str, bytes]:
     """Curves of each axle as SVG by file name."""
-    found = {}
+    files = {}
     for i, graded in enumerate(vehicle.axles):
         egea = graded.limits.methods.get("egea")
         with local_units("metric"):
@@ -291,8 +291,8 @@ def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, la
                 phase_failure=None if egea is None else egea.failing_below(),
                 height=_HEIGHTS[len(vehicle.axles)],
             )
-        found[f"axle{i}.svg"] = rendered(figure, [".svg"], salt=f"axle{i}")[".svg"]
-    return found
+        files[f"axle{i}.svg"] = render_figure(figure, [".svg"], salt=f"axle{i}")[".svg"]
+    return files
 
 
 def _facts(vehicle: VehicleGrade, about: Mapping[str, str] | None) -> dict[str, str]:
@@ -309,10 +309,10 @@ def _language(language: str) -> Language:
 def _day(date: str) -> tuple[int, int, int] | None:
     """Year, month and day of a text that is a date."""
     try:
-        found = datetime.date.fromisoformat(day_of(date))
+        parsed = datetime.date.fromisoformat(day_of(date))
     except ValueError:
         return None
-    return found.year, found.month, found.day
+    return parsed.year, parsed.month, parsed.day
 
 
 def _software() -> str:
@@ -337,8 +337,8 @@ Plain = dict[str, Any]
 @cache
 def words_in(language: Language) -> Mapping[str, str]:
     """Words of the protocol in a language."""
-    found: dict[str, dict[str, str]] = tomllib.loads((TEMPLATES / "protocol.toml").read_text(encoding="utf-8"))
-    return found[language]
+    words: dict[str, dict[str, str]] = tomllib.loads((TEMPLATES / "protocol.toml").read_text(encoding="utf-8"))
+    return words[language]
 
 
 def protocol_content(
@@ -360,13 +360,13 @@ def protocol_content(
         "language": language,
         "words": words,
         "title": words["title"],
-        "simulated": any(is_simulated(one.inspection.facts) for one in vehicle.axles),
+        "simulated": any(is_simulated(axle.inspection.facts) for axle in vehicle.axles),
         "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
         "date": about.get("date", ""),
         "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
         "deciding": method_names(vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
-        "axles": [_axle(one, i, language) for i, one in enumerate(vehicle.axles)],
+        "axles": [_axle(axle, i, language) for i, axle in enumerate(vehicle.axles)],
         "front_rear": _front_rear(vehicle, language),
         "reasons": shown or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
         "remarks": noted,
@@ -379,15 +379,15 @@ def protocol_content(
 def _head_text(name: str, about: Mapping[str, str], language: Language) -> str:
     text = about.get(name, "")
     german = re.fullmatch(r"(\d{4})-(\d\d)-(\d\d)", text) if name == "date" and language == "de" else None
-    return f"{german[3]}.{german[2]}.{german[1]}" if german else shortened(text, _LONGEST_HEAD)
+    return f"{german[3]}.{german[2]}.{german[1]}" if german else shorten(text, _LONGEST_HEAD)
 
 
-def shortened(text: str, longest: int = _LONGEST_TEXT) -> str:
+def shorten(text: str, longest: int = _LONGEST_TEXT) -> str:
     r"""One line of text without control characters, not longer than is printed; an en dash for none.
 
     Examples
     --------
-    >>> shortened("a\tb\n"), shortened(""), shortened("abcdef", 4)
+    >>> shorten("a\tb\n"), shorten(""), shorten("abcdef", 4)
     ('a b', '–', 'abc…')
     """
     line = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
@@ -441,15 +441,15 @@ def _number(value: float, decimals: int, language: Language) -> str:
 def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language) -> list[Plain]:
     rows = []
     for name, quantity in QUANTITIES.items():
-        methods = {m: one for m, one in graded.limits.methods.items() if one.quantity == name}
+        methods = {m: band for m, band in graded.limits.methods.items() if band.quantity == name}
         asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
         if not asked and all(wheel.value(name) is None for wheel in wheels.values()):
             continue
-        if not asked and name == "theta_rig" and all(one.theta_rig == one.theta_road for one in wheels.values()):
+        if not asked and name == "theta_rig" and all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values()):
             continue  # a rigid plate has no value of its own
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
-        found = next((one for one in graded.differences if one.quantity == name), None)
+        difference = next((candidate for candidate in graded.differences if candidate.quantity == name), None)
         decides = bool(set(methods) & set(graded.deciding))
         passing = _limit_text(limiting, language)
         apart = _gap_limit(graded.limits, name, language) if decides else ""
@@ -457,7 +457,7 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         rows.append(
             {
                 "label": label,
-                "cells": [*cells, _gap_cell(found, quantity, language, graded.limits), _cell(passing, apart)],
+                "cells": [*cells, _gap_cell(difference, quantity, language, graded.limits), _cell(passing, apart)],
                 "decides": decides,
             }
         )
@@ -486,7 +486,7 @@ def _value_cell(
         shown = ", ".join(filter(None, (shown, words_in(language)["lift_off"])))
     if band is None:
         return _cell(text, shown)
-    return _cell(text, shown, shortened(band.words(language), 60), _tone(band, criterion))
+    return _cell(text, shown, shorten(band.words(language), 60), _tone(band, criterion))
 
 
 def _tone(band: VerdictBand, criterion: Criterion | None) -> str:
@@ -508,34 +508,34 @@ def _band_of(
 
 
 def _condition(limits: Limits, name: str) -> Criterion | None:
-    return next((one for one in limits.conditions.values() if one.quantity == name), None)
+    return next((condition for condition in limits.conditions.values() if condition.quantity == name), None)
 
 
 def _gap_cell(
-    found: Difference | None, quantity: WheelQuantity, language: Language, limits: Limits | None = None
+    difference: Difference | None, quantity: WheelQuantity, language: Language, limits: Limits | None = None
 ) -> Plain:
-    if found is None:
+    if difference is None:
         return _cell("–")
-    text = quantity.text(found.absolute, language, with_unit=False)
-    if found.uncertainty is not None:
-        text += f" ± {quantity.rounded_up(found.uncertainty, language, with_unit=False)}"
+    text = quantity.text(difference.absolute, language, with_unit=False)
+    if difference.uncertainty is not None:
+        text += f" ± {quantity.rounded_up(difference.uncertainty, language, with_unit=False)}"
     unit = ("pp" if language == "en" else "%-P.") if quantity.unit == "%" else quantity.unit
     text = f"{text}{unit}" if unit == "°" else f"{text} {unit}".strip()
-    if found.relative is not None:
-        text += f" · {_number(100.0 * found.relative, 1, language)} %"
-    if found.unreliable:
+    if difference.relative is not None:
+        text += f" · {_number(100.0 * difference.relative, 1, language)} %"
+    if difference.unreliable:
         return _cell(text, verdict_words(NOT_GRADED, language))
-    name, band = next(iter(found.bands.items()), ("", None))
+    name, band = next(iter(difference.bands.items()), ("", None))
     if band is None:
         return _cell(text)
     criterion = None if limits is None else limits.differences.get(name)
-    return _cell(text, "", shortened(band.words(language), 60), _tone(band, criterion))
+    return _cell(text, "", shorten(band.words(language), 60), _tone(band, criterion))
 
 
 def _gap_limit(limits: Limits, name: str, language: Language) -> str:
     """How far apart two wheels may be by the limits that decide, e.g. ``Δ up to 12°``."""
-    between = (one for one in limits.differences.values() if (one.quantity, one.across) == (name, "wheels"))
-    texts = [text for one in between if (text := _limit_text(one, language)) not in ("", "–")]
+    between = (limit for limit in limits.differences.values() if (limit.quantity, limit.across) == (name, "wheels"))
+    texts = [text for limit in between if (text := _limit_text(limit, language)) not in ("", "–")]
     return f"Δ {texts[0]}" if texts else ""
 
 
@@ -571,45 +571,45 @@ def _places(graded: GradedInspection, side: str, language: Language) -> str:
     return words_in(language).get(key, words_in(language)[side])
 
 
-def _joined(places: Sequence[str], vehicle: VehicleGrade, language: Language) -> str:
+def _join_places(places: Sequence[str], vehicle: VehicleGrade, language: Language) -> str:
     """Name places once and shortly: an axle in place of both of its wheels, all wheels in place of both axles."""
-    words, found = words_in(language), list(dict.fromkeys(places))
+    words, remaining = words_in(language), list(dict.fromkeys(places))
     for graded in vehicle.axles:
         wheels = [_places(graded, side, language) for side in _SIDES]
         title = words["both_" + graded.axle] if graded.axle in words else words["both_wheels"]
-        if set(wheels) <= set(found):
-            found[found.index(wheels[0])] = title
-            found.remove(wheels[1])
+        if set(wheels) <= set(remaining):
+            remaining[remaining.index(wheels[0])] = title
+            remaining.remove(wheels[1])
     both = [words["both_front"], words["both_rear"]]
-    return words["all_wheels"] if sorted(found) == sorted(both) else ", ".join(found)
+    return words["all_wheels"] if sorted(remaining) == sorted(both) else ", ".join(remaining)
 
 
 def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     """What must be read: what does not pass, what is uncertain, why methods disagree; the worst first."""
-    found: dict[str, tuple[Reason, list[str]]] = {}
+    reasons: dict[str, tuple[Reason, list[str]]] = {}
     for graded in vehicle.axles:
         for grade in graded.grades:
             for reason in grade.reasons:
                 if _must_be_read(reason, graded):
                     place = _places(graded, grade.wheel, language)
                     text = _reason_text(reason, graded, language)
-                    found.setdefault(text, (reason, []))[1].append(place)
+                    reasons.setdefault(text, (reason, []))[1].append(place)
         title = words_in(language).get(graded.axle, words_in(language)["axle"])
         for reason in graded.reasons:
             if reason.kind != "wheel" and _must_be_read(reason, graded):
-                found.setdefault(_reason_text(reason, graded, language), (reason, []))[1].append(title)
+                reasons.setdefault(_reason_text(reason, graded, language), (reason, []))[1].append(title)
     for reason in vehicle.reasons:
         if reason.kind == "difference" and reason.verdict not in ("", "pass"):
             text = _reason_text(reason, vehicle.axles[0], language)
-            found.setdefault(text, (reason, []))[1].append(words_in(language)["front_rear"])
+            reasons.setdefault(text, (reason, []))[1].append(words_in(language)["front_rear"])
     deciding = vehicle.axles[0].deciding
     listed = sorted(
-        found.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
+        reasons.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
     )
     return [
         {
-            "place": _joined(places, vehicle, language),
-            "text": shortened(as_printed(text), 400),
+            "place": _join_places(places, vehicle, language),
+            "text": shorten(as_printed(text), 400),
             "tone": TONES.get(reason.verdict, ""),
         }
         for text, (reason, places) in listed
@@ -636,29 +636,41 @@ def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
 
 def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     """Findings of the evaluation but those that the reasons hold already."""
-    found: dict[str, list[str]] = {}
+    remarks: dict[str, list[str]] = {}
     for graded in vehicle.axles:
         title = words_in(language).get(graded.axle, words_in(language)["axle"])
         for finding in graded.inspection.findings:
             if finding.severity != "problem":
-                found.setdefault(sentence_of(finding, language), []).append(title)
+                remarks.setdefault(sentence_of(finding, language), []).append(title)
         for wheel in graded.wheels:
             for finding in wheel.findings:
                 if finding.severity != "problem":
-                    found.setdefault(sentence_of(finding, language), []).append(_places(graded, wheel.wheel, language))
+                    remarks.setdefault(sentence_of(finding, language), []).append(
+                        _places(graded, wheel.wheel, language)
+                    )
     return [
-        {"place": _joined(places, vehicle, language), "text": _capital(shortened(as_printed(text), 400)), "tone": ""}
-        for text, places in found.items()
+        {"place": _join_places(places, vehicle, language), "text": _capital(shorten(as_printed(text), 400)), "tone": ""}
+        for text, places in remarks.items()
     ]
 
 
 def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     """Differences between front and rear of the values that are graded, one line for each side."""
-    names = {one.quantity: METHODS[method].name for method, one in vehicle.axles[0].limits.methods.items()}
+    names = {
+        method_limits.quantity: METHODS[method].name
+        for method, method_limits in vehicle.axles[0].limits.methods.items()
+    }
     lines = []
     for side in _SIDES:
-        found = [one for one in vehicle.differences if one.place == side and one.quantity in names]
-        texts = [f"{names[one.quantity]} {_gap_cell(one, QUANTITIES[one.quantity], language)['text']}" for one in found]
+        differences = [
+            difference
+            for difference in vehicle.differences
+            if difference.place == side and difference.quantity in names
+        ]
+        texts = [
+            f"{names[difference.quantity]} {_gap_cell(difference, QUANTITIES[difference.quantity], language)['text']}"
+            for difference in differences
+        ]
         if texts:
             lines.append({"place": words_in(language)[side], "text": "; ".join(texts)})
     return lines
@@ -666,19 +678,19 @@ def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
     """Where the limits that were used are from, one line for each method."""
-    used = [m for m in limits.methods if any(m in one.bands for a in vehicle.axles for one in a.grades)]
+    used = [m for m in limits.methods if any(m in grade.bands for a in vehicle.axles for grade in a.grades)]
     lines, said = [], set[str]()
     for method in used:
         others = [*limits.conditions.values(), *limits.differences.values()]
-        using = [limits.methods[method], *(one for one in others if method in one.methods)]
-        texts = [text for one in using if (text := one.cited(language)) not in said]
+        using = [limits.methods[method], *(limit for limit in others if method in limit.methods)]
+        texts = [text for limit in using if (text := limit.citation(language)) not in said]
         said |= {text for text in texts if text.startswith("jounce")}
-        lines.append(f"{METHODS[method].name}: {shortened('; '.join(dict.fromkeys(texts)), 600)}.")
+        lines.append(f"{METHODS[method].name}: {shorten('; '.join(dict.fromkeys(texts)), 600)}.")
     return lines
 
 
 def _foot(limits: Limits, about: Mapping[str, str], software: str, words: Mapping[str, str]) -> str:
-    parts = [software, f"{words['limits']}: {shortened(limits.label, 80)}, {shortened(limits.date, 40)}"]
+    parts = [software, f"{words['limits']}: {shorten(limits.label, 80)}, {shorten(limits.date, 40)}"]
     if about.get("record"):
-        parts.append(f"{words['record']}: {shortened(about['record'], 140)}")
+        parts.append(f"{words['record']}: {shorten(about['record'], 140)}")
     return " · ".join(part for part in parts if part)

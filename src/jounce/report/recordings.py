@@ -15,7 +15,7 @@ from jounce.core.findings import Finding
 from jounce.core.text import slug
 from jounce.core.types import Array
 from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
-from jounce.plots.display import number, settled, words_of
+from jounce.plots.display import number, settle, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, named_words, scene_panels
 from jounce.report.page import Block, Details, Page, PageTable, Section, findings_blocks
@@ -137,8 +137,8 @@ def curve_blocks(
             Chart(
                 scene_panels(scene, viewer.words, viewer.unit),
                 name if len(viewer.scenes) == 1 else f"{name}-{scene.name}",
-                f"{scene.label[:1].upper()}{scene.label[1:]}: {_shown(scene)}.",
-                f"{_shown(scene)} against {viewer.words}.",
+                f"{scene.label[:1].upper()}{scene.label[1:]}: {_shown_panes(scene)}.",
+                f"{_shown_panes(scene)} against {viewer.words}.",
                 1,
             )
             for scene in viewer.scenes
@@ -170,12 +170,12 @@ def curve_viewer(
         axis = common_axis(named)
         first = common_channels(named, channels)
         every = _channels(named, axis, first)
-        kept = every[: min(max(len(first), _most_channels(named, axis)), _MOST_CHANNELS)]
-        left_out = max(left_out, len(every) - len(kept))
+        chosen = every[: min(max(len(first), _most_channels(named, axis)), _MOST_CHANNELS)]
+        left_out = max(left_out, len(every) - len(chosen))
         along = _axis_unit(next(iter(named.values())), axis)
-        units = {one: _unit(named, one) for one in kept}
+        units = {channel: _unit(named, channel) for channel in chosen}
         motion = _motion(next(iter(named.values())), axis, rig, trial)
-        scene = _scene(named, axis, along, kept, first, units, motion, roles, numbers)
+        scene = _scene(named, axis, along, chosen, first, units, motion, roles, numbers)
         part = None if window is None else (window[0] * along.factor, window[1] * along.factor)
         scenes.append(replace(scene, name=slug(label) if label else name, label=label or name, window=part))
         words, unit = axis.replace("_", " "), along.name
@@ -184,7 +184,7 @@ def curve_viewer(
     return Viewer(title, tuple(scenes), shown, caption, words, unit)
 
 
-def _shown(scene: ViewerScene) -> str:
+def _shown_panes(scene: ViewerScene) -> str:
     return ", ".join(pane.name for pane in scene.panes if pane.shown)
 
 
@@ -206,14 +206,14 @@ DIFFERENCE = "Δ "
 
 def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) -> list[str]:
     """Give the channels that any of them holds, those that are shown first in front; forces in joints stay out."""
-    found = dict.fromkeys(first)
+    channels = dict.fromkeys(first)
     for data in named.values():
         for name in data.data_vars:
             values = data.variables[name]  # what stands on it: a data array of each takes as long as a sweep
-            kept = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
-            if kept and not _is_place(str(name), data):
-                found.setdefault(str(name))
-    return list(found)
+            is_curve = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
+            if is_curve and not _is_place(str(name), data):
+                channels.setdefault(str(name))
+    return list(channels)
 
 
 def _is_place(name: str, data: xr.Dataset) -> bool:
@@ -232,7 +232,7 @@ def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
 
 def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
     held = [data.variables[name] for data in named.values() if name in data]
-    largest = max(float(np.nanmax(np.abs(one.to_numpy().astype(float)), initial=0.0)) for one in held)
+    largest = max(float(np.nanmax(np.abs(values.to_numpy().astype(float)), initial=0.0)) for values in held)
     return display_unit(str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0)
 
 
@@ -265,7 +265,7 @@ def _scene(
             read = line[1] if len(line[0]) == len(x) else through(line, x)
             if is_held(name):
                 si = str(data.variables[name].attrs.get("units", "1"))
-                curves.append(Curve(label, role, settled(read, si) * units[name].factor))
+                curves.append(Curve(label, role, settle(read, si) * units[name].factor))
             if reference is None:
                 reference = read
             elif is_apart:
@@ -289,7 +289,7 @@ def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -
         return None
     try:
         if "wheel_centre.z" in data and data.sizes[axis] <= _MOST_POSES:
-            return _posed(data, axis, rig, trial)
+            return _motion_at_poses(data, axis, rig, trial)
         if axis == "wheel_travel" or (axis == "time" and {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars))):
             return _moving(data, axis, rig, trial)
     except JounceError:  # the curves are shown all the same
@@ -297,7 +297,7 @@ def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -
     return None
 
 
-def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
+def _motion_at_poses(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
     """Every pose as it was: the recording says where the hardpoints were."""
     from jounce.plots.mechanisms.scene import poses_of, scene_of
 
@@ -308,12 +308,12 @@ def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
 
     def motion(x: Array) -> Motion:
         ground, load = (np.interp(x, over, values) for values in (poses.ground, poses.touches.astype(float)))
-        return Motion(mechanism, np.zeros_like(x), x, ground, load, *_driven(trial, x, drawing, axis))
+        return Motion(mechanism, np.zeros_like(x), x, ground, load, *_passing_road(trial, x, drawing, axis))
 
     return motion
 
 
-def _driven(trial: Trial | None, x: Array, drawing: Any, axis: str) -> tuple[Any, float]:
+def _passing_road(trial: Trial | None, x: Array, drawing: Any, axis: str) -> tuple[Any, float]:
     """The road that passes under the wheel, and how fast; none under a plate."""
     from jounce.plots.mechanisms.scene import roadway_of
 
@@ -346,7 +346,7 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
             return Motion(mechanism, np.zeros_like(x), x, ground, np.ones_like(x))
         body = read("sprung.z", 0.0)
         moved = read("unsprung.z", 0.0) - body
-        road, speed = _driven(trial, x, drawing, axis)
+        road, speed = _passing_road(trial, x, drawing, axis)
         return Motion(mechanism, body, moved, read("road.z", 0.0), read("tyre.force", 1.0), road, speed)
 
     return motion
@@ -368,7 +368,7 @@ def _extremes(
             if name not in data or data.variables[name].dims != (axis,):
                 continue
             x, y = line_of(data, name, axis)
-            y = settled(y, str(data[name].attrs.get("units", "1")))
+            y = settle(y, str(data[name].attrs.get("units", "1")))
             cells = [name if reference is None else "", *((label,) if several else ())]
             known = np.isfinite(y)
             if not known.any():

@@ -27,8 +27,8 @@ from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import Viewer, bundle, live_data
-from jounce.report.page import Page, Picture, alignments, grouped, unique_slugs
-from jounce.report.typeset import TYPESETTER, compiled
+from jounce.report.page import Page, Picture, alignments, group_findings, unique_slugs
+from jounce.report.typeset import TYPESETTER, typeset
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -141,7 +141,9 @@ def _documents(page: Page, tables: Sequence[str], *, pdf: bool) -> dict[str, Cal
     if pdf:
         template = (TEMPLATES / "page.typ").read_bytes()
         name = str(Path(page.name).with_suffix(".pdf"))
-        wanted["PDF"] = lambda: {name: page_pdf(page, {one.name: _panels(one) for one in page.pictures()}, template)}
+        wanted["PDF"] = lambda: {
+            name: page_pdf(page, {picture.name: _panels(picture) for picture in page.pictures()}, template)
+        }
     return wanted
 
 
@@ -159,12 +161,12 @@ def _draw(
             raise OutputError("two figures have the same name", where=page.title, found=picture.name)
         progress(progress_through("draw: figure {which} of {count}", k, len(pictures)))
         try:
-            found = _files(picture, page.figure_note, formats)
+            files = _files(picture, page.figure_note, formats)
         except Exception as error:  # noqa: BLE001 - whatever it is, the other figures are drawn
             missing.append(not_drawn(f"figure {picture.name}", error))
             continue
-        inside[picture.name] = str(found.pop("page"))
-        beside |= {f"figures/{picture.name}.{name}": content for name, content in found.items()}
+        inside[picture.name] = str(files.pop("page"))
+        beside |= {f"figures/{picture.name}.{name}": content for name, content in files.items()}
     return inside, beside, missing
 
 
@@ -181,17 +183,17 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
     """Figure of a page as HTML (``page``) and in other formats."""
     identity = f"fig-{slug(picture.name)}"
     if isinstance(picture, Chart):
-        found: dict[str, bytes | str] = {"page": chart_html(picture)}
+        files: dict[str, bytes | str] = {"page": chart_html(picture)}
         if formats:
             whole = chart_svg(picture, chart_style(), note)
-            found |= {name: whole if name == "svg" else png_of(whole) for name in formats}
-        return found
-    from jounce.plots.figures import add_note, rendered
+            files |= {name: whole if name == "svg" else png_of(whole) for name in formats}
+        return files
+    from jounce.plots.figures import add_note, render_figure
 
     figure = picture.figure
     add_note(figure, note)
     suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
-    drawn = rendered(figure, tuple(suffixes), salt=picture.name)
+    drawn = render_figure(figure, tuple(suffixes), salt=picture.name)
     page = inline_svg(drawn[".svg"], identity, picture.alternative)
     return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
 
@@ -203,10 +205,12 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
         last = picture.panels[-1].x_label  # on paper panels stand side by side
         panels = (replace(panel, x_label=panel.x_label or last) for panel in picture.panels)
         alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in panels)
-        return {f"{name}-{k}.svg": plain_colours(chart_svg(one, chart_style())).encode() for k, one in enumerate(alone)}
-    from jounce.plots.figures import rendered
+        return {
+            f"{name}-{k}.svg": plain_colours(chart_svg(panel, chart_style())).encode() for k, panel in enumerate(alone)
+        }
+    from jounce.plots.figures import render_figure
 
-    return {f"{name}.svg": rendered(picture.figure, (".svg",), salt=picture.name)[".svg"]}
+    return {f"{name}.svg": render_figure(picture.figure, (".svg",), salt=picture.name)[".svg"]}
 
 
 def _write_html(page: Page, file: Path) -> None:
@@ -217,7 +221,7 @@ def _write_html(page: Page, file: Path) -> None:
 
 
 def _write_pdf(page: Page, file: Path) -> None:
-    panels = {one.name: _panels(one) for one in page.pictures()}
+    panels = {picture.name: _panels(picture) for picture in page.pictures()}
     file.write_bytes(page_pdf(page, panels, (TEMPLATES / "page.typ").read_bytes()))
 
 
@@ -238,14 +242,14 @@ def png_of(svg: str, scale: float = 2.0) -> bytes:
     """Draw an SVG file as PNG, enlarged by a scale, with the fonts of matplotlib: the same everywhere."""
     source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
     files = {"main.typ": source.encode(), "figure.svg": plain_colours(svg).encode()}
-    (made,) = compiled(files, "png", ppi=96.0 * scale)
+    (made,) = typeset(files, "png", ppi=96.0 * scale)
     return bytes(made)
 
 
 def plain_colours(svg: str) -> str:
     """Write colours and widths of lines as they are: what draws SVG outside browsers knows no variables."""
     colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
-    plain = re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
+    plain = re.sub(r"var\(--([\w-]+)\)", lambda match: colours[match[1]].strip(), svg)
     return plain.replace("</style>", f"{SCALED_CSS}</style>", 1)
 
 
@@ -263,23 +267,23 @@ def chart_style() -> str:
 def page_html(page: Page, figures: Mapping[str, str]) -> str:
     """Give the page as HTML text with its figures (name to HTML) and viewers inside, those that there are."""
 
-    def shown(picture: Picture | Chart) -> str:
+    def figure_html(picture: Picture | Chart) -> str:
         if picture.name in figures:
             return figures[picture.name]
         return f'<p class="bad">This figure could not be drawn: {escape(picture.alternative)}</p>'
 
     anchors = unique_slugs([section.title for section in page.sections])
-    return filled(
+    return fill_template(
         "page",
         page.viewers(),
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        svg=shown,
-        chart=shown,
+        svg=figure_html,
+        chart=figure_html,
     )
 
 
-def filled(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
+def fill_template(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
     """Fill an HTML template, whose style sheet has the same name, with its viewers and the script of all pages."""
     script = bundle("viewer.js" if viewers else "page.js")
     data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
@@ -315,16 +319,16 @@ def _environment() -> Any:
         lstrip_blocks=True,
     )
     environment.filters["kind"] = lambda block: type(block).__name__
-    environment.filters["grouped"] = grouped
+    environment.filters["grouped"] = group_findings
     environment.filters["alignments"] = alignments
-    environment.filters["parted"] = parted
+    environment.filters["parted"] = with_break_points
     return environment
 
 
 _JOINTS = re.compile(r"(?<=[^\W\d_]{2})([._])(?=[^\W_]{2})")
 
 
-def parted(text: str) -> Any:
+def with_break_points(text: str) -> Any:
     """Let a long name break behind the joints between its words, so that a narrow column breaks it nowhere else."""
     from markupsafe import Markup, escape
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.plots.display import given, number, percent
+from jounce.plots.display import number, percent, setting_text
 from jounce.report.page import (
     Block,
     Fact,
@@ -60,34 +60,34 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     if several:
         answer.append(_merits(study))
     elif study.rides:
-        answer += [_facts(study), _metrics(_named(study))]
+        answer += [_facts(study), _metrics(_metrics_by_name(study))]
     if study.failed:
         texts = (f"{name} was not run: {reason}." for name, reason in study.failed.items())
         answer += [Paragraph(text, "bad") for text in texts]
     if not study.rides:
         return Page(title, (Section("Answer", (*answer, Paragraph("No ride reached its end."))),))
-    found = _findings(study)
-    answer += findings_blocks(found)
+    findings = _findings(study)
+    answer += findings_blocks(findings)
     moving = study.rig if rig is None else rig
     curves, spectra = (Section(name, partial(draw, study, title, moving)) for name, draw in _DRAWN.items())
     sections = [Section("Answer", tuple(answer)), curves, spectra]
     if several:
         words = "Comfort against road holding of every controller; the area of a point shows the travel."
         sections.insert(1, Section("Trade-off", (picture_of(study, "trade-off", words),)))
-        sections.append(Section("Every metric", lambda: (_metrics(_named(study)),)))
+        sections.append(Section("Every metric", lambda: (_metrics(_metrics_by_name(study)),)))
     against = _stationary(study)
     if against:
         sections.append(Section("Linear model", tuple(against)))
-    counted = f"{given(lasting, 's')} counted, from {given(study.trial.settling, 's')} on"
+    counted = f"{setting_text(lasting, 's')} counted, from {setting_text(study.trial.settling, 's')} on"
     return Page(title, tuple(sections), f"Simulated ride; {counted}")
 
 
-def measured_ride_page(found: MeasuredRide, *, title: str) -> Page:
+def measured_ride_page(ride: MeasuredRide, *, title: str) -> Page:
     """Put the metrics of a recorded ride on a page."""
-    answer: list[Block] = [_metrics({"value": found.metrics})]
-    answer += [Paragraph(f"{place}: {words}") for place, words in found.metrics.comfort.items()]
-    answer += findings_blocks(found.findings)
-    return answer_page(title, answer, found.extent)
+    answer: list[Block] = [_metrics({"value": ride.metrics})]
+    answer += [Paragraph(f"{place}: {words}") for place, words in ride.metrics.comfort.items()]
+    answer += findings_blocks(ride.findings)
+    return answer_page(title, answer, ride.extent)
 
 
 def _merits(study: RideStudy) -> PageTable:
@@ -122,19 +122,19 @@ def _facts(study: RideStudy) -> Facts:
 
 def _metrics(rides: Mapping[str, RideMetrics]) -> PageTable:
     """Every metric at every place, a column for each ride."""
-    values = {name: {(one.metric, one.place): one for one in ride.values} for name, ride in rides.items()}
-    every = dict.fromkeys(key for found in values.values() for key in found)
+    values = {name: {(row.metric, row.place): row for row in ride.values} for name, ride in rides.items()}
+    every = dict.fromkeys(key for of_ride in values.values() for key in of_ride)
     rows, last = [], ""
     for key in every:
-        one = next(found[key] for found in values.values() if key in found)
-        unit = display_unit(one.unit, one.value)
-        cells = (number(found[key].value * unit.factor) if key in found else "–" for found in values.values())
-        rows.append((one.label if one.label != last else "", one.place, unit.name or "–", *cells))
-        last = one.label
+        value = next(of_ride[key] for of_ride in values.values() if key in of_ride)
+        unit = display_unit(value.unit, value.value)
+        cells = (number(of_ride[key].value * unit.factor) if key in of_ride else "–" for of_ride in values.values())
+        rows.append((value.label if value.label != last else "", value.place, unit.name or "–", *cells))
+        last = value.label
     return PageTable("Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values))
 
 
-def _named(study: RideStudy) -> dict[str, RideMetrics]:
+def _metrics_by_name(study: RideStudy) -> dict[str, RideMetrics]:
     """Metrics by controller; those of a single ride are the value."""
     several = len(study.rides) > 1
     return {ride.control if several else "value": ride.metrics for ride in study.rides}
@@ -147,7 +147,7 @@ def _stationary(study: RideStudy) -> list[Block]:
         return []
     linear, chances = study.stationary.standard_deviation, study.by_chance
     rows = []
-    for name in (one for one in linear if linear[one]):
+    for name in (control for control in linear if linear[control]):
         unit = display_unit(study.stationary.units[name], linear[name])
         chance = chances[name]
         rows.append(
@@ -172,12 +172,12 @@ def _stationary(study: RideStudy) -> list[Block]:
 
 def _findings(study: RideStudy) -> list[Finding]:
     several = len(study.rides) > 1
-    found = [
-        replace(one, place=f"{ride.control}, {one.place}") if several else one
+    findings = [
+        replace(finding, place=f"{ride.control}, {finding.place}") if several else finding
         for ride in study.rides
-        for one in ride.metrics.findings
+        for finding in ride.metrics.findings
     ]
-    return [*found, *(study.stationary.findings if study.stationary is not None else ())]
+    return [*findings, *(study.stationary.findings if study.stationary is not None else ())]
 
 
 def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
@@ -185,8 +185,8 @@ def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
     from jounce.report.recordings import curve_blocks
 
     held = _names(study)
-    found = [[name for end in ends for name in held if name.endswith(end)] for ends in _FIRST]
-    first = [names[0] for names in found if names]
+    groups = [[name for end in ends for name in held if name.endswith(end)] for ends in _FIRST]
+    first = [names[0] for names in groups if names]
     start = study.trial.settling
     window = (start, start + _SHOWN) if study.trial.trial.duration > start + _SHOWN else None
     return curve_blocks({"": runs}, first or None, title=title, rig=rig, trial=study.trial.trial, window=window)

@@ -19,36 +19,36 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.storing import ImportedRecords
 
 
-def vehicle_history_page(found: VehicleHistory, *, title: str) -> Page:
+def vehicle_history_page(history: VehicleHistory, *, title: str) -> Page:
     """Put the history of a vehicle on a page."""
-    return history_page(found.visits, found.trends, title=title)
+    return history_page(history.visits, history.trends, title=title)
 
 
-def found_records_page(found: FoundRecords, *, title: str) -> Page:
+def record_search_page(search: FoundRecords, *, title: str) -> Page:
     """List records with their verdicts."""
     from jounce.inspection.archive.questions import COLUMNS
 
-    records = found.to_dict()["records"]
+    records = search.to_dict()["records"]
     columns = [TableColumn(name, [_text(record[name]) for record in records]) for name in (*COLUMNS, "verdict")]
     count = f"{len(records)} record{'' if len(records) == 1 else 's'}"
     return _page(title, count, [table_of(count, columns) if records else Paragraph(count)])
 
 
-def exported_records_page(found: ExportedRecords, *, title: str) -> Page:
+def exported_records_page(export: ExportedRecords, *, title: str) -> Page:
     """Say how many records and rows were written."""
-    return _page(title, "Table", [Paragraph(f"{found.records} records, {found.rows} rows")])
+    return _page(title, "Table", [Paragraph(f"{export.records} records, {export.rows} rows")])
 
 
-def verified_store_page(found: VerifiedStore, *, title: str) -> Page:
+def verified_store_page(verified: VerifiedStore, *, title: str) -> Page:
     """Say that a store is sound."""
-    return _page(title, "Verified", [Paragraph(f"{found.store}: sound, {found.records} records")])
+    return _page(title, "Verified", [Paragraph(f"{verified.store}: sound, {verified.records} records")])
 
 
-def reevaluated_store_page(found: ReevaluatedStore, *, title: str) -> Page:
+def reevaluated_store_page(reevaluated: ReevaluatedStore, *, title: str) -> Page:
     """Say how many gradings were added, and which verdicts changed."""
-    result = found.result
+    result = reevaluated.result
     counts = f"{result.added} gradings added, {result.unchanged} unchanged"
-    text = Paragraph(f"{result.records} records under limits {found.limits}: {counts}")
+    text = Paragraph(f"{result.records} records under limits {reevaluated.limits}: {counts}")
     changes = [
         f"{before or 'without a grading'} → {after}: {count}" for (before, after), count in result.changes.items()
     ]

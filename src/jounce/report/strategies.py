@@ -79,10 +79,10 @@ def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[C
     for trial in result.trials:
         if trial.after is None and trial.before is None:
             continue
-        found = [strategy.trial(trial.entry.number) for strategy in result.strategies]
-        channels = dict.fromkeys(name for one in found for name in _channels(one))
+        fitted = [strategy.trial(trial.entry.number) for strategy in result.strategies]
+        channels = dict.fromkeys(name for trial_result in fitted for name in _channels(trial_result))
         for k, name in enumerate(channels):
-            cells = tuple(_cell(one, name, value, colour=label == "R²") for one in found)
+            cells = tuple(_cell(trial_result, name, value, colour=label == "R²") for trial_result in fitted)
             rows.append((str(trial.entry.number) if k == 0 else "", name, *cells))
     header = ("trial", "channel", *(strategy.update.name for strategy in result.strategies))
     return PageTable(caption, header, tuple(rows), "ll" + "r" * len(result.strategies))
@@ -95,8 +95,8 @@ def _channels(trial: StrategyTrial) -> list[str]:
 
 def _cell(trial: StrategyTrial, name: str, value: Callable[[ChannelComparison], float], *, colour: bool) -> Cell | str:
     texts = [
-        "–" if one is None or name not in one.channels else f"{value(one.channels[name]):.3f}".replace("-", "−")
-        for one in (trial.before, trial.after)
+        "–" if fit is None or name not in fit.channels else f"{value(fit.channels[name]):.3f}".replace("-", "−")
+        for fit in (trial.before, trial.after)
     ]
     text = " → ".join(texts) + (" •" if trial.is_fitted else "")
     if not colour or trial.after is None or name not in trial.after.channels:

@@ -18,22 +18,22 @@ _SHOWN = 7
 """Poses of the table: as many as fit beside each other."""
 
 
-def swept_page(found: Swept, *, title: str) -> Page:
+def swept_page(sweep: Swept, *, title: str) -> Page:
     """Put a sweep on a page."""
 
     def blocks(number: int) -> tuple[Block, ...]:
         from jounce.report.recordings import recordings_page
 
-        return recordings_page({title: found.data}, title=title, rig=found.rig).sections[number].blocks
+        return recordings_page({title: sweep.data}, title=title, rig=sweep.rig).sections[number].blocks
 
     drawn = (Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1)))
-    return Page(title, (*drawn, Section("Poses", poses_table(found))), "Kinematic sweep")
+    return Page(title, (*drawn, Section("Poses", poses_table(sweep))), "Kinematic sweep")
 
 
-def poses_table(found: Swept) -> tuple[Block, ...]:
+def poses_table(sweep: Swept) -> tuple[Block, ...]:
     """Every quantity at some poses, a quantity a row; of a grid at the pose nearest to design of the other axis."""
-    along, *others = map(str, found.data.dims)
-    shown = found.data.sel(dict.fromkeys(others, 0.0), method="nearest") if others else found.data
+    along, *others = map(str, sweep.data.dims)
+    shown = sweep.data.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep.data
     count = shown.sizes[along]
     at = np.unique(np.linspace(0, count - 1, min(count, _SHOWN)).round().astype(int))
     unit = display_unit(str(shown[along].attrs.get("units", "1")))  # poses are numbered
@@ -45,12 +45,12 @@ def poses_table(found: Swept) -> tuple[Block, ...]:
         rows.append((str(name), own.name or "–", *(cell if isinstance(cell, str) else number(cell) for cell in cells)))
     places = (f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at])
     caption = f"Quantities over {along.replace('_', ' ')}"
-    many = "".join(f" at each of {found.data.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
+    many = "".join(f" at each of {sweep.data.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
     words = f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}"
     header = ("quantity", "unit", *places)
     return PageTable(caption, header, tuple(rows), "ll" + "r" * len(at)), Paragraph(words, "muted")
 
 
-def effort_page(found: Swept, *, title: str) -> Page:
+def effort_page(sweep: Swept, *, title: str) -> Page:
     """Put the steering effort over a sweep on a page."""
-    return Page(title, (Section("Poses", poses_table(found)),), "Steering effort")
+    return Page(title, (Section("Poses", poses_table(sweep)),), "Steering effort")

@@ -12,7 +12,7 @@ from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 from jounce.parts.corners import Corner
 from jounce.plots.campaign import lively_window
-from jounce.plots.display import given
+from jounce.plots.display import setting_text
 from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
 from jounce.recordings.schema import QUANTITIES, channel_unit, quantity_of
 from jounce.report.chart import Chart
@@ -43,7 +43,7 @@ def trials_viewer(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone
     """Put all trials that have signals into one viewer; ``verdicts`` has word and tone of each by number."""
     others = result.strategies[:-1][-_MOST_OTHERS:]
     mechanisms = _mechanisms(result)
-    shown = chosen_trials(result, verdicts)
+    shown = select_trials(result, verdicts)
     scenes = tuple(_scene(result, trial, others, verdicts[trial.entry.number], mechanisms) for trial in shown)
     if not scenes:
         return None
@@ -60,7 +60,7 @@ def trials_viewer(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone
     return Viewer(result.campaign.title, scenes, tuple(roles), caption)
 
 
-def chosen_trials(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]) -> list[TrialResult]:
+def select_trials(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]) -> list[TrialResult]:
     """Trials with signals; of very many the fitted ones and those predicted worst, in their order."""
     drawn = [trial for trial in result.trials if trial.signals or trial.signals_before]
     order = {"bad": 0, "fair": 1}
@@ -76,13 +76,13 @@ def trial_label(trial: TrialResult) -> str:
     entry = trial.entry
     parts = [f"{entry.number}", _USES[entry.use]]
     if entry.speed is not None:
-        parts.append(given(entry.speed, "m/s", "speed"))
+        parts.append(setting_text(entry.speed, "m/s", "speed"))
     if entry.road is not None:
         parts.append(f"road {entry.road}")
     if entry.strut_angle is not None:
-        parts.append(given(entry.strut_angle, "rad"))
+        parts.append(setting_text(entry.strut_angle, "rad"))
     if entry.tyre_pressure is not None:
-        parts.append(given(entry.tyre_pressure, "Pa"))
+        parts.append(setting_text(entry.tyre_pressure, "Pa"))
     return " · ".join(parts)
 
 
@@ -117,9 +117,9 @@ def _scene(
         if before is not None:
             curves.append(Curve("before", _BEFORE, before.simulated * unit.factor))
         for k, strategy in enumerate(others, 1):
-            found = next((one for one in strategy.trials if one.number == trial.entry.number), None)
-            if found is not None and name in found.signals:
-                curves.append(Curve(strategy.update.name, f"other-{k}", found.signals[name].simulated * unit.factor))
+            fitted = next((candidate for candidate in strategy.trials if candidate.number == trial.entry.number), None)
+            if fitted is not None and name in fitted.signals:
+                curves.append(Curve(strategy.update.name, f"other-{k}", fitted.signals[name].simulated * unit.factor))
         if after is not None and result.strategies:
             curves.append(Curve("after", _AFTER, after.simulated * unit.factor))
         panes.append(Pane(name, _words(name), unit.name, tuple(curves)))
@@ -169,17 +169,17 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
 
 
 def _mechanisms(result: CampaignResult) -> dict[float | None, PosedRig]:
-    found = {}
+    mechanisms = {}
     for angle, sweep in result.poses.items():
         motion = next(t.motion for t in result.trials if t.motion is not None and t.entry.strut_angle == angle)
         if not isinstance(motion.rig, Corner):
             continue
         try:
             drawing = scene_of(motion.rig)
-            found[angle] = PosedRig(drawing, poses_of(motion.rig, drawing, sweep))
+            mechanisms[angle] = PosedRig(drawing, poses_of(motion.rig, drawing, sweep))
         except JounceError:  # a page without the mechanism still shows the curves
             continue
-    return found
+    return mechanisms
 
 
 def _motion(trial: TrialResult, mechanism: PosedRig | None) -> Motion | None:

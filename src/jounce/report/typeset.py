@@ -15,7 +15,7 @@ TYPESETTER = ("typst", "pdf")
 _LONGEST_WORD, _PIECE = 24, 12
 
 
-def compiled(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
+def typeset(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
     """Let typst set a document: PDF as bytes, pictures as a list of pages.
 
     Fonts of the computer are used for nothing but letters that those of matplotlib do not have, such as Chinese ones.

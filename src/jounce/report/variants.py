@@ -54,7 +54,7 @@ _IN_UNITS = ("mean_absolute_effect", "mean_effect", "effect_spread")
 
 
 def sweep_page(
-    found: SweepResult,
+    sweep: SweepResult,
     *,
     title: str,
     runs: Mapping[str, xr.Dataset] | None = None,
@@ -66,7 +66,7 @@ def sweep_page(
 
     Parameters
     ----------
-    found : SweepResult
+    sweep : SweepResult
         As :func:`jounce.run_sweep` gives it.
     title : str
         Name of the study.
@@ -82,35 +82,37 @@ def sweep_page(
     Page
         To be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
     """
-    summary, data = found.summary, found.data
-    parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(found))}
+    summary, data = sweep.summary, sweep.data
+    parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(sweep))}
     if summary.metrics and summary.influences:
         parts["What matters"] = lambda: Section("What matters", _matters(summary, data))
-        parts["Scatter"] = lambda: _pictured("Scatter", partial(scatter_matrix, data), "scatter", _SCATTER)
-        parts["Parallel coordinates"] = lambda: _pictured(
+        parts["Scatter"] = lambda: _picture_section("Scatter", partial(scatter_matrix, data), "scatter", _SCATTER)
+        parts["Parallel coordinates"] = lambda: _picture_section(
             "Parallel coordinates", partial(parallel_coordinates, data), "parallel", _PARALLEL
         )
     if "time" in data.dims and summary.ran:
-        parts["Bands over time"] = lambda: _pictured("Bands over time", partial(variant_bands, data), "bands", _BANDS)
+        parts["Bands over time"] = lambda: _picture_section(
+            "Bands over time", partial(variant_bands, data), "bands", _BANDS
+        )
     if runs:
         shown = dict(runs)
         parts["Curves"] = lambda: Section("Curves", _curves(shown, title, rig, trial))
-    parts["How it was made"] = lambda: Section("How it was made", _made(found, study))
+    parts["How it was made"] = lambda: Section("How it was made", _provenance(sweep, study))
     sections, missing = sections_of(parts)
     drawn = f"{summary.ran} of {summary.count} variants ran"
     return Page(title, sections, f"Sweep; {drawn}", missing=missing)
 
 
-def sweep_result_page(found: SweepResult, *, title: str) -> Page:
+def sweep_result_page(swept: SweepResult, *, title: str) -> Page:
     """Put a sweep on a page with the study that its file holds, and the runs of its extremes."""
     from jounce.variants.study import extreme_runs, read_sweep
 
-    sweep = read_sweep(found.study)
-    text = Path(found.study).read_text(encoding="utf-8")
-    work, page = sweep.work.study, sweep_page(found, title=title, study=text)
+    sweep = read_sweep(swept.study)
+    text = Path(swept.study).read_text(encoding="utf-8")
+    work, page = sweep.work.study, sweep_page(swept, title=title, study=text)
 
     def curves() -> tuple[Block, ...]:
-        runs = extreme_runs(sweep, found.data)
+        runs = extreme_runs(sweep, swept.data)
         return _curves(runs, title, work.rig, work.trial) if runs else ()
 
     *others, made = page.sections
@@ -126,26 +128,27 @@ _BANDS = "Median of the channels over the variants, with bands that hold half an
 _TORNADO = "Means of the metrics where each number is low and high, and indices with 95 % intervals."
 
 
-def _pictured(title: str, draw: Callable[[], Figure], name: str, words: str) -> Section:
+def _picture_section(title: str, draw: Callable[[], Figure], name: str, words: str) -> Section:
     return Section(title, lambda: (Picture(draw(), name, words, words),))
 
 
-def _answer(found: SweepResult) -> tuple[Block, ...]:
-    summary = found.summary
-    lost = sum(one["variants"] for one in summary.failed.values())
+def _answer(sweep: SweepResult) -> tuple[Block, ...]:
+    summary = sweep.summary
+    lost = sum(failure["variants"] for failure in summary.failed.values())
     finished = summary.ran + lost
     facts = [
         Fact("Variants", str(summary.count), "all finished" if finished == summary.count else f"{finished} finished"),
         Fact("Ran", str(summary.ran), f"{summary.side_by_side} side by side", "good" if not lost else "fair"),
     ]
-    if found.seed is not None:
-        facts.append(Fact("Seed", str(found.seed), "the same points each time"))
+    if sweep.seed is not None:
+        facts.append(Fact("Seed", str(sweep.seed), "the same points each time"))
     blocks: list[Block] = [Facts(tuple(facts))]
     if summary.metrics:
         blocks += [_statistics(summary), _percentiles(summary)]
     if summary.failed:
         rows = tuple(
-            (Cell(reason, "bad"), str(one["variants"]), str(one["first"])) for reason, one in summary.failed.items()
+            (Cell(reason, "bad"), str(failure["variants"]), str(failure["first"]))
+            for reason, failure in summary.failed.items()
         )
         blocks.append(PageTable("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
     blocks += findings_blocks(summary.findings)
@@ -154,15 +157,15 @@ def _answer(found: SweepResult) -> tuple[Block, ...]:
 
 def _statistics(summary: Summary) -> PageTable:
     rows = []
-    for one in summary.metrics:
-        unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
-        levels = [number(level["value"] * unit.factor) for level in one.percentiles.values()]
+    for metric in summary.metrics:
+        unit = display_unit(metric.unit, max(abs(metric.least), abs(metric.greatest)))
+        levels = [number(level["value"] * unit.factor) for level in metric.percentiles.values()]
         ends = [
             f"{number(value * unit.factor)} ({at})"
-            for value, at in ((one.least, one.least_at), (one.greatest, one.greatest_at))
+            for value, at in ((metric.least, metric.least_at), (metric.greatest, metric.greatest_at))
         ]
-        middle = [number(value * unit.factor) for value in (one.mean, one.standard_deviation)]
-        rows.append((one.name, unit.name or "–", *middle, ends[0], *levels, ends[1]))
+        middle = [number(value * unit.factor) for value in (metric.mean, metric.standard_deviation)]
+        rows.append((metric.name, unit.name or "–", *middle, ends[0], *levels, ends[1]))
     levels = [f"{key} %" for key in summary.metrics[0].percentiles]
     header = ("metric", "unit", "mean", "standard deviation", "least (variant)", *levels, "greatest (variant)")
     return PageTable("Every metric over the variants", header, tuple(rows), "ll" + "r" * 7)
@@ -170,10 +173,10 @@ def _statistics(summary: Summary) -> PageTable:
 
 def _percentiles(summary: Summary) -> Details:
     rows = []
-    for one in summary.metrics:
-        unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
-        levels = [_with_interval(level, unit.factor) for level in one.percentiles.values()]
-        rows.append((one.name, unit.name or "–", *levels))
+    for metric in summary.metrics:
+        unit = display_unit(metric.unit, max(abs(metric.least), abs(metric.greatest)))
+        levels = [_with_interval(level, unit.factor) for level in metric.percentiles.values()]
+        rows.append((metric.name, unit.name or "–", *levels))
     header = ("metric", "unit", *(f"{key} %" for key in summary.metrics[0].percentiles))
     note = "In brackets the 95 % interval that so many variants, taken as a random sample, leave a percentile."
     words = "Percentiles and how sure they are"
@@ -197,22 +200,23 @@ def _share(measure: Mapping[str, Any]) -> str:
 
 def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
     return Picture(partial(tornado, data), "tornado", _TORNADO, _TORNADO), *(
-        _table(summary, one.name) for one in summary.metrics
+        _table(summary, metric.name) for metric in summary.metrics
     )
 
 
 def _table(summary: Summary, metric: str) -> PageTable:
     """What one metric depends on, the number that matters most first."""
-    own = [one for one in summary.influences if one.metric == metric]
+    own = [influence for influence in summary.influences if influence.metric == metric]
     measures = [name for name in own[0].measures if name in _WORDS]
-    unit = display_unit(next(one.unit for one in summary.metrics if one.name == metric))
-    told = {name: partial(_with_interval, factor=unit.factor) if name in _IN_UNITS else _share for name in measures}
+    unit = display_unit(next(described.unit for described in summary.metrics if described.name == metric))
+    writers = {name: partial(_with_interval, factor=unit.factor) if name in _IN_UNITS else _share for name in measures}
 
-    def weight(one: Influence) -> float:
-        return -abs(float(one.measures["total" if "total" in one.measures else measures[0]]["value"]))
+    def weight(influence: Influence) -> float:
+        return -abs(float(influence.measures["total" if "total" in influence.measures else measures[0]]["value"]))
 
     rows = tuple(
-        (one.number, *(told[name](one.measures[name]) for name in measures)) for one in sorted(own, key=weight)
+        (influence.number, *(writers[name](influence.measures[name]) for name in measures))
+        for influence in sorted(own, key=weight)
     )
     header = ("number", *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures))
     return PageTable(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))
@@ -226,15 +230,15 @@ def _curves(runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: 
     long = float(first["time"][-1]) > _SHOWN
     window = (0.0, _SHOWN) if long else None
     return curve_blocks(
-        {"": runs}, [one for one in chosen if one] or None, title=title, rig=rig, trial=trial, window=window
+        {"": runs}, [number for number in chosen if number] or None, title=title, rig=rig, trial=trial, window=window
     )
 
 
-def _made(found: SweepResult, study: str) -> tuple[Block, ...]:
+def _provenance(sweep: SweepResult, study: str) -> tuple[Block, ...]:
     items = [
-        f"Command: {found.command}",
-        f"Study: {found.study}",
-        f"Shards and all that results follow from: {found.out}",
+        f"Command: {sweep.command}",
+        f"Study: {sweep.study}",
+        f"Shards and all that results follow from: {sweep.out}",
     ]
     lines = tuple(Paragraph(line) for line in study.splitlines() if line.strip())
     return (Bullets(tuple(items)), *((Details("The study's file", lines),) if lines else ()))

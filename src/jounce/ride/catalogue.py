@@ -18,7 +18,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.ride import comfort
 from jounce.ride.comfort import duration_of, integral
-from jounce.ride.weighting import Start, check_duration, weighted, weighting
+from jounce.ride.weighting import Start, check_duration, weight, weighting
 
 # numbers of one signal ------------------------------------------------------------------------------------------------
 
@@ -134,12 +134,12 @@ class Acceleration:
         by_name = self.choices.weighting
         return by_name.get(self.channel, by_name.get(self.axis, USUAL_WEIGHTING[self.axis]))
 
-    def weighted(self, name: str = "") -> Array:
+    def filtered(self, name: str = "") -> Array:
         """The evaluated part of the weighted record; refused if it is too short for the weighting."""
         row = weighting(name or self.usual)
         if row.name not in self._weighted:
             check_duration(row.name, duration_of(self.signal, self.rate), where=self.channel)
-            record = weighted(self.values, self.rate, row.name, start=self.choices.start)
+            record = weight(self.values, self.rate, row.name, start=self.choices.start)
             self._weighted[row.name] = record[self.first :]
         return self._weighted[row.name]
 
@@ -237,16 +237,16 @@ class RideMetric:
 
 
 def _total(view: Point) -> float:
-    return comfort.total_value({axis: comfort.rms(m.weighted(), m.rate) for axis, m in view.motions.items()})
+    return comfort.total_value({axis: comfort.rms(m.filtered(), m.rate) for axis, m in view.motions.items()})
 
 
 def _exposure(view: Acceleration) -> float:
-    value = comfort.HEALTH_FACTORS[view.axis] * comfort.rms(view.weighted(), view.rate)
+    value = comfort.HEALTH_FACTORS[view.axis] * comfort.rms(view.filtered(), view.rate)
     return comfort.daily_exposure(value, view.choices.exposure)
 
 
 def _sickness(view: Acceleration) -> float:
-    return comfort.SICK_PER_DOSE * comfort.msdv(view.weighted("Wf"), view.rate)
+    return comfort.SICK_PER_DOSE * comfort.msdv(view.filtered("Wf"), view.rate)
 
 
 def _power(view: CornerSignals) -> float:
@@ -271,29 +271,29 @@ CATALOGUE: tuple[RideMetric, ...] = (
     RideMetric("rms_angular_acceleration", "rad/s^2", "r.m.s. of the angular acceleration about its mean",
         lambda v: deviation(v.signal), "rotation", TURNING, _PLAIN, "not weighted"),
     RideMetric("weighted_rms_angular_acceleration", "rad/s^2", "weighted r.m.s. angular acceleration, We",
-        lambda v: comfort.rms(v.weighted(), v.rate), "rotation", TURNING, _ISO + "6.1",
+        lambda v: comfort.rms(v.filtered(), v.rate), "rotation", TURNING, _ISO + "6.1",
         "not yet comparable with translation: multiply by 0.63, 0.4, 0.2 m/rad (roll, pitch, yaw)"),
     RideMetric("weighted_rms", "m/s^2", "weighted r.m.s. acceleration a_w (Wk vertical, Wd horizontal)",
-        lambda v: comfort.rms(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.1",
+        lambda v: comfort.rms(v.filtered(), v.rate), "comfort", LINEAR, _ISO + "6.1",
         "at the place of the channel, without a seat's transmissibility; says little about single shocks"),
     RideMetric("mtvv", "m/s^2", "maximum transient vibration value: largest running r.m.s. over 1 s",
-        lambda v: comfort.mtvv(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.3.1, eq. 2",
+        lambda v: comfort.mtvv(v.filtered(), v.rate), "comfort", LINEAR, _ISO + "6.3.1, eq. 2",
         "not a peak: shorter shocks are averaged over 1 s"),
     RideMetric("mtvv_exponential", "m/s^2", "maximum transient vibration value, exponential averaging",
-        lambda v: comfort.mtvv(v.weighted(), v.rate, averaging="exponential"), "comfort", LINEAR,
+        lambda v: comfort.mtvv(v.filtered(), v.rate, averaging="exponential"), "comfort", LINEAR,
         _ISO + "6.3.1, eq. 3", "up to 30 % off the linear one for longer shocks; say which is used"),
-    RideMetric("vdv", "m/s^1.75", "fourth power vibration dose value", lambda v: comfort.vdv(v.weighted(), v.rate),
+    RideMetric("vdv", "m/s^1.75", "fourth power vibration dose value", lambda v: comfort.vdv(v.filtered(), v.rate),
         "comfort", LINEAR, _ISO + "6.3.2", "grows with the length of the record: compare equal lengths only"),
     RideMetric("evdv", "m/s^1.75", "estimated vibration dose value, 1.4 a_w T^(1/4)",
-        lambda v: comfort.evdv(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "annex B",
+        lambda v: comfort.evdv(v.filtered(), v.rate), "comfort", LINEAR, _ISO + "annex B",
         "an estimate for vibration without shocks; where both differ, VDV counts"),
     RideMetric("crest_factor", "1", "largest weighted acceleration over a_w",
-        lambda v: comfort.crest_factor(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.2.1",
+        lambda v: comfort.crest_factor(v.filtered(), v.rate), "comfort", LINEAR, _ISO + "6.2.1",
         "no measure of severity: it says whether a_w suffices (up to 9)"),
     RideMetric("daily_exposure", "m/s^2", "A(8): 1.4 a_w (x, y) or a_w (z), over the daily exposure", _exposure,
         "comfort", LINEAR, _DIRECTIVE,
         "per axis: the largest of the three counts against 0.5 (action) and 1.15 m/s^2 (limit)"),
-    RideMetric("msdv_z", "m/s^1.5", "motion sickness dose value, Wf", lambda v: comfort.msdv(v.weighted("Wf"), v.rate),
+    RideMetric("msdv_z", "m/s^1.5", "motion sickness dose value, Wf", lambda v: comfort.msdv(v.filtered("Wf"), v.rate),
         "comfort", VERTICAL, _ISO + "annex D",
         "of vertical motion only, for 20 min to 6 h; grows with the length of the record"),
     RideMetric("motion_sickness", "1", "share of unadapted people likely to vomit, MSDV_z / 300", _sickness, "comfort",

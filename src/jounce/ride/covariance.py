@@ -768,7 +768,7 @@ class RandomVibration:
         eigen, n = Eigen(reduced.A), frequency / surface.speed
         inside = (n >= surface.band[0]) & (n <= surface.band[1])
         track = float(self.families.geometry_at(values)[0, -1])
-        coherence = surface.shared(n, track) if len(sources) == 2 else None
+        coherence = surface.root_coherence(n, track) if len(sources) == 2 else None
         power = inside * surface.heights(n) / surface.speed
         band = RoadExcitation(frequency[None], power[None], None, None if coherence is None else coherence[None])
         shares: Array = BandVariance(relative(reduced, eigen.values), eigen, sources, band).shares()[0]
@@ -844,7 +844,7 @@ class _Part:
         if any(signal.gain is not None for signal in signals):
             gains = [np.ones(flat.shape) if signal.gain is None else signal.gain(flat) for signal in signals]
             gain = np.stack([(np.abs(values) ** 2).reshape(n.shape) for values in gains], axis=1)
-        coherence = surface.shared(n, self._track) if len(self.sources) == 2 else None
+        coherence = surface.root_coherence(n, self._track) if len(self.sources) == 2 else None
         heights = surface.heights(n.ravel()).reshape(n.shape)
         return RoadExcitation(frequency, weights * heights / surface.speed, gain, coherence)
 
@@ -855,7 +855,7 @@ class _Part:
             return None
         surface, track = self.analysis.surface, self._track
         n, step = band.frequency / surface.speed, _TRACK_STEP * track
-        above, below = (surface.shared(n, track + sign * step) for sign in (1.0, -1.0))
+        above, below = (surface.root_coherence(n, track + sign * step) for sign in (1.0, -1.0))
         assert above is not None
         assert below is not None
         return np.asarray(wider[:, :, None] * ((above - below) / (2.0 * step))[:, None, :])

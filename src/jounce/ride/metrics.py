@@ -221,7 +221,7 @@ def ride_metrics(
     weighting : mapping of str to str, optional
         Weighting by channel or axis (``{"z": "Wf"}``) in place of Wk for z, Wd for x and y, We for rotations.
     start : {"rest", "first", "mean"}
-        State before the record, as in `jounce.ride.weighting.weighted`; ``"mean"`` for signals that include gravity.
+        State before the record, as in `jounce.ride.weighting.weight`; ``"mean"`` for signals that include gravity.
     travel : pair of float or str, or mapping, optional
         Rebound and bump travel available from the mean deflection, m; for all corners, or by corner or axle.
     stop_gap : float or str, pair of them, or mapping, optional
@@ -406,7 +406,7 @@ def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Fin
 def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:
     """Advice of the standard; none for a record too short for the weighting, since the metric is absent then."""
     try:
-        return comfort.advice(motion.weighted(), motion.rate, place=place)
+        return comfort.advice(motion.filtered(), motion.rate, place=place)
     except RecordingError:
         return ()
 

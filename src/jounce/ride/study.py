@@ -13,6 +13,7 @@ from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.display import size
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import findings_of
+from jounce.core.old_names import old_property
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
@@ -265,14 +266,16 @@ class Ride(Plain):
     settling: float = 0.0
 
     @property
-    def settled(self) -> xr.Dataset:
+    def evaluated_run(self) -> xr.Dataset:
         """Signals after the settling time, SI."""
         return self.run.sel(time=slice(self.settling, None))
+
+    settled = old_property("Ride.settled", "evaluated_run")
 
     @property
     def duration(self) -> float:
         """Evaluated time, s."""
-        time = self.settled["time"].to_numpy()
+        time = self.evaluated_run["time"].to_numpy()
         return float(time[-1] - time[0])
 
     def spectra(self) -> dict[str, Spectrum]:
@@ -280,7 +283,7 @@ class Ride(Plain):
 
         Segments are an eighth of the run, at least 8 s to resolve the body's bounce, and at most half of the run.
         """
-        signals = self.settled
+        signals = self.evaluated_run
         rate = 1.0 / float(signals["time"][1] - signals["time"][0])
         channels = list(map(str, signals.data_vars))
         matches = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
@@ -290,7 +293,7 @@ class Ride(Plain):
 
     def standard_deviation(self, channel: str) -> float:
         """Standard deviation of a channel after settling, in its SI unit."""
-        return float(self.settled[channel].std())
+        return float(self.evaluated_run[channel].std())
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values in SI, without signals."""

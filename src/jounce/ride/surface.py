@@ -81,7 +81,7 @@ class Surface(Plain):
             density = float(self.roughness or 0.0) * (n / REFERENCE) ** -self.waviness
         return np.asarray(density * np.sinc(n * self.contact_length) ** 2)
 
-    def shared(self, n: Array, track: float | Array) -> Array | None:
+    def root_coherence(self, n: Array, track: float | Array) -> Array | None:
         """Root of the coherence (1) of left and right heights at distances (m); None for independent sides."""
         if self.sides not in ("isotropic", "exponential"):
             return None

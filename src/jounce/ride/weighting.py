@@ -157,7 +157,7 @@ def tolerance(name: str, frequency: ArrayLike) -> tuple[Array, Array]:
     return low, np.where(inner & ~outer, 1.12, 1.26)
 
 
-def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "rest") -> Array:
+def weight(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "rest") -> Array:
     """Weight a sampled acceleration as the standard's analog filter would, phase included.
 
     The response is exact at every frequency up to half the sample rate (no bilinear transform, no warping), and
@@ -198,7 +198,7 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
     --------
     >>> import numpy as np
     >>> t = np.arange(0.0, 20.0, 0.001)
-    >>> shaken = weighted(np.sin(2.0 * np.pi * 5.0119 * t), 1000.0, "Wk")
+    >>> shaken = weight(np.sin(2.0 * np.pi * 5.0119 * t), 1000.0, "Wk")
     >>> round(float(shaken[10000:].max()), 3)    # the gain of Wk at 5.0119 Hz
     1.039
     """

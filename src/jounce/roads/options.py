@@ -14,7 +14,7 @@ from jounce.roads.road import ROADS
 from jounce.roads.trial import Trial
 
 AnyTrial: TypeAlias = Annotated[
-    Trial, MadeBy("jounce.roads.options:chosen_trial", "jounce.roads.options:trial_in_python")
+    Trial, MadeBy("jounce.roads.options:trial_of_options", "jounce.roads.options:trial_in_python")
 ]
 """A trial; faces ask for its road, speed and duration, or for an excitation."""
 ROAD = File("A road: TOML, OpenCRG or table file, or a name of `jounce library`.", shipped=("roads",))
@@ -23,7 +23,7 @@ DURATION = Number('Length of the run, e.g. "3 s".', "TIME", "s", is_positive=Tru
 EXCITATION = File("Instead of --road and --speed: a file with columns time and road.z.")
 
 
-def chosen_trial(
+def trial_of_options(
     road: Annotated[str | None, ROAD] = None,
     speed: Annotated[float | None, SPEED] = None,
     duration: Annotated[float | None, DURATION] = None,

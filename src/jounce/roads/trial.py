@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, Protocol, Self, runtime_checkable
+from typing import Annotated, Any, ClassVar, Literal, Protocol, Self, runtime_checkable
 
 import numpy as np
 from pydantic import BeforeValidator, model_validator
@@ -18,6 +18,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.misplaced import error_at
+from jounce.core.old_names import old_method
 from jounce.core.phrases import Phrase
 from jounce.core.remembered import once_per_object
 from jounce.core.samples import Listed
@@ -322,7 +323,7 @@ class SpeedOverTime(Description):
     Examples
     --------
     >>> slowing = SpeedOverTime(time=[0.0, 2.0], speed=["3 m/s", "1 m/s"])
-    >>> time, distance = slowing.travelled(3.0)
+    >>> time, distance = slowing.distance_over_time(3.0)
     >>> round(float(distance[-1]), 6)
     5.0
     """
@@ -349,7 +350,7 @@ class SpeedOverTime(Description):
                 raise ValueError(Phrase("time does not ascend: {a:g} s, then {b:g} s", a=a, b=b))
         return self
 
-    def travelled(self, duration: float) -> tuple[Array, Array]:
+    def distance_over_time(self, duration: float) -> tuple[Array, Array]:
         """Return times (s) up to ``duration`` and the distance (m) driven at each; between them the speed is constant.
 
         Steps are so short that the speed changes by half a per cent in each.
@@ -365,6 +366,8 @@ class SpeedOverTime(Description):
         speed = np.interp(time, self.time, self.speed)
         steps = 0.5 * (speed[1:] + speed[:-1]) * np.diff(time)
         return time, np.concatenate([[0.0], np.cumsum(steps)])
+
+    travelled: ClassVar[Any] = old_method("SpeedOverTime.travelled", "distance_over_time")
 
 
 _SPEED_STEP = 0.005  # share by which a speed changes while it counts as constant: 10 um of distance on a bench
@@ -423,7 +426,7 @@ class Trial(Description):
         if self.speeds is not None and self.road is None:
             raise ValueError("speeds are given without a road; an excitation is in time already")
         if self.speeds is not None and "duration" in self.model_fields_set:
-            mean = float(self.speeds.travelled(self.duration)[1][-1]) / self.duration
+            mean = float(self.speeds.distance_over_time(self.duration)[1][-1]) / self.duration
             if self.speed is not None and abs(self.speed / mean - 1.0) > _SAME_MEAN:
                 raise ValueError(
                     Phrase(
@@ -504,7 +507,7 @@ class Trial(Description):
             driven = road.segments(self.speed * self.duration, behind)
             if self.speeds is None:
                 return driven.in_time(self.speed)
-            return driven.in_time_along(*self.speeds.travelled(self.duration))
+            return driven.in_time_along(*self.speeds.distance_over_time(self.duration))
         if self.excitation is None:
             raise AssertionError("a trial has a road or an excitation")
         return lay_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
@@ -530,7 +533,7 @@ class Trial(Description):
         if self.road is not None and self.speed is not None:
             if self.speeds is None:
                 return self.road.end() / self.speed
-            time, distance = self.speeds.travelled(self.duration)
+            time, distance = self.speeds.distance_over_time(self.duration)
             end = self.road.end()
             beyond = max(end - float(distance[-1]), 0.0) / self.speeds.speed[-1]
             return float(np.interp(end, distance, time)) + beyond

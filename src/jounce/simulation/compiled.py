@@ -15,9 +15,9 @@ from jounce.core.sources import digest_of
 from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.engine import Engine
-from jounce.kernel.methods.explicit import shortened
+from jounce.kernel.methods.explicit import shorten
 from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
-from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache, compile_functions
 from jounce.mechanics.facts import SLOPES, ModelFacts, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, structure_of
@@ -102,9 +102,9 @@ class Compiled:
     @once
     def short_engine(self) -> Engine:
         """The same with an integrator of lower order, for runs whose inputs force short steps."""
-        return shortened(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
+        return shorten(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
 
-    def extended(self, p: Array, along: Array | None = None) -> Array:
+    def extend(self, p: Array, along: Array | None = None) -> Array:
         """Extend the parameters by everything that depends on them alone, and by lanes if some are free.
 
         ``along`` gives the derivatives of the moved parameters by the free ones, one column each; by default the
@@ -124,14 +124,14 @@ class Compiled:
             part, _, by = name.rpartition("_")
             return plain.slopes(by, x, u, p, m)[part]
         rows, columns = plain.shapes[name]
-        values = p if len(p) == plain.scalars else plain.extended(p)
+        values = p if len(p) == plain.scalars else plain.extend(p)
         return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
 
     def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
         """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, one column each."""
         plain, facts = self.plain, self.facts
         (rows, lanes), n, n_u = plain.shapes["slopes"], len(x), len(u)
-        values = p if len(p) == plain.scalars else plain.extended(p)
+        values = p if len(p) == plain.scalars else plain.extend(p)
         states, count = np.zeros(n + (n + n_u) * lanes), {"x": n, "u": n_u}[by]
         states[:n] = x
         seeds = states[n + (n * lanes if by == "u" else 0) :].reshape(-1, lanes)
@@ -149,13 +149,13 @@ class Compiled:
 
     def free_slopes(self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None) -> tuple[Array, Array]:
         """Slopes of rates and constraints by the free parameters at constant states; one column each."""
-        n, count, values = len(x), len(self.free), self.extended(p, along)
+        n, count, values = len(x), len(self.free), self.extend(p, along)
         states = np.concatenate([x, np.zeros(n * count)])
         rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
         loops = self.native.evaluate("constraint_s", (len(self.facts.constraints) * count,), states, u, values, m)
         return rate.reshape(-1, count), loops.reshape(-1, count)
 
-    def projected(self, x: Array, u: Array, p: Array, m: Array) -> Array:
+    def project(self, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Move a state one step towards the constraints, its speeds onto them."""
         return self.evaluate("project_many", x, u, p, m)[2:] if self.facts.projects else x
 
@@ -233,7 +233,7 @@ def compile_described(
 
     def make() -> Compiled:
         identity = f"{sources()} {key}"
-        native, notes = kept_code(identity, lambda: _source(model(), changed, len(free)))
+        native, notes = code_from_cache(identity, lambda: _source(model(), changed, len(free)))
         table: dict[str, Any] = json.loads(notes)
         plain = without() if free and without is not None else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}

@@ -115,16 +115,18 @@ class ControlLoop:
     def around(self, compiled: Compiled, prepared: PreparedRun, signals: Sequence[Segments]) -> PreparedRun:
         """Add the law to a prepared run."""
         pieces = np.array(_tracks(compiled, self), dtype=np.int64)
-        law = _Law(self.paced(prepared.equilibrium), compiled, prepared, signals, pieces)
+        law = _Law(self.with_rates(prepared.equilibrium), compiled, prepared, signals, pieces)
         control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
         return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
 
-    def paced(self, rest: Equilibrium | None) -> ControlLoop:
+    def with_rates(self, rest: Equilibrium | None) -> ControlLoop:
         """The same loop; an open control rate is derived from the rig at rest."""
         if rest is None:
             return self
         fastest = rest.fastest_oscillation
-        return replace(self, controllers={corner: law.paced(fastest) for corner, law in self.controllers.items()})
+        return replace(
+            self, controllers={corner: law.with_rate_for(fastest) for corner, law in self.controllers.items()}
+        )
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
         """Typical sizes of the states; those of the actuators from their limits."""
@@ -165,7 +167,7 @@ def _in_balance(loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequen
     """Commands (N) at which an element of another program balances the rest of the rig."""
     tracks = zip(compiled.facts.tracks, signals, strict=True)
     still = compiled.inputs({name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks})
-    law = loop.paced(find_equilibrium(compiled, p, still))
+    law = loop.with_rates(find_equilibrium(compiled, p, still))
     assert isinstance(law.first, CallbackController)
     setting = RunSetting(law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times)))
     columns = np.array(_tracks(compiled, loop), dtype=np.int64) * compiled.facts.track_order
@@ -193,7 +195,7 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
             found=f"massless axles ({type(rig).__name__})",
             allowed="skyhook, pid and others that need the body only, or a model with wheels",
         )
-    return ControlLoop({corner: controller.resolved(model) for corner, model in models.items()}, models)
+    return ControlLoop({corner: controller.complete_for(model) for corner, model in models.items()}, models)
 
 
 class _Law:
@@ -296,11 +298,11 @@ class _Law:
         def call() -> None:
             put(result, 0, *regulator(measured()))
 
-        def failed() -> None:
+        def fail() -> None:
             feedback[0].result[:] = np.nan
             loop.raised[:] = [(float(feedback[0].measured[-1]), callback.raised)] if callback.raised else []
 
-        callback = Callback(call, failed)
+        callback = Callback(call, fail)
         memory = np.zeros(1)
         feedback.append(self._around(callback.address, regulator.channels, memory, 0, from_rest=regulator.from_rest))
         result, measured = feedback[0].result.ravel().data, feedback[0].measured.tolist
@@ -391,10 +393,10 @@ def poles(loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, st
     """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
     law = program(loop.first, loop.corners)
     slopes = _slopes(law, values(loop.controllers, loop.models, law.numbers))
-    return _held_poles(loop, compiled, p, rest, still, law.channels, slopes, 1.0 / loop.first.rate)
+    return _sampled_poles(loop, compiled, p, rest, still, law.channels, slopes, 1.0 / loop.first.rate)
 
 
-def _held_poles(
+def _sampled_poles(
     loop: ControlLoop,
     compiled: Compiled,
     p: Array,
@@ -464,7 +466,7 @@ def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: Pr
 
     def worst(period: float) -> complex:
         where = (loop, compiled, p, rest, prepared.still, regulator.channels, slopes, period)
-        return complex(_held_poles(*where)[0])
+        return complex(_sampled_poles(*where)[0])
 
     period = prepared.feedback.period
     pole = worst(period)

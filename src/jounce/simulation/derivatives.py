@@ -21,7 +21,7 @@ from jounce.recordings.schema import check_recording, place_of
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
-from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.problem import excitation, force_actuator
 from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
 from jounce.simulation.settings import RunSettings
@@ -211,11 +211,11 @@ def _run(
     for path in parameters:
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
-    free, plain = tuple(parameters), compile_rig(rig, actuator=known_actuator(trial))
+    free, plain = tuple(parameters), compile_rig(rig, actuator=force_actuator(trial))
     signals = excitation(plain.facts, rig, trial, free)
     solution = with_slopes(rig, trial, values, signals, times, tolerance, free)
     if solution is None:
-        compiled = compile_rig(rig, free, actuator=known_actuator(trial))
+        compiled = compile_rig(rig, free, actuator=force_actuator(trial))
         solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
     if solution.status is not Status.COMPLETED:
         raise SimulationError("the run did not reach its end", found=solution.status.help)

@@ -114,7 +114,7 @@ class Stepper:
         return self._compiled.evaluate("output", problem.x0, prepared.still, problem.p, problem.m)
 
     @property
-    def finished(self) -> bool:
+    def is_finished(self) -> bool:
         """Whether the end of the trial is reached."""
         return self.time >= self.end - 1e-9 * max(1.0, self.end)
 
@@ -132,7 +132,7 @@ class Stepper:
                 found=given.tolist(),
                 allowed=Phrase("{count} finite numbers", count=len(self.corners)),
             )
-        if self.finished or self.status is not Status.COMPLETED:
+        if self.is_finished or self.status is not Status.COMPLETED:
             raise SimulationError("the run is over", where=f"t = {self.time:.6g} s", hint="Start it again.")
         out, problem = self._out, self._problem
         problem.tracks.coefficients[self._pieces, 0] = np.clip(given, self.limits[:, 0], self.limits[:, 1])
@@ -269,7 +269,7 @@ def _environment_class() -> Any:
                 return self._observation(self._rest), -_LOST, True, False, info
             change = outputs - self._rest[:, None]
             info["cost"] = {name: weight * float(np.mean(change[row] ** 2)) for name, row, weight in self._cost}
-            return self._observation(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.finished, info
+            return self._observation(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.is_finished, info
 
         def _observation(self, outputs: Array) -> NDArray[np.float32]:
             """Observation of a sample."""

@@ -44,22 +44,22 @@ def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeVibrati
     rest = find_equilibrium(compiled, p, still)
     poles, shapes = np.linalg.eig(rest.reduced)
     lengths = [i for i, output in enumerate(compiled.facts.outputs) if output.unit == "m"]
-    found = []
+    motions = []
     for pole, shape in sorted(zip(poles, (rest.lift @ shapes).T, strict=True), key=lambda pair: pair[0].imag):
         if pole.imag <= _SWINGS * abs(pole):
             continue
 
-        def moved(part: Array) -> Array:
+        def motion_of(part: Array) -> Array:
             step = _SMALL / float(np.max(np.abs(part), initial=1e-300))
             above, below = (
                 compiled.evaluate("output", rest.x + sign * step * part, still, p, rest.modes) for sign in (1.0, -1.0)
             )
             return np.asarray((above - below)[lengths] / (2.0 * step))
 
-        seen = moved(shape.real) + 1j * moved(shape.imag)
+        seen = motion_of(shape.real) + 1j * motion_of(shape.imag)
         largest = seen[np.argmax(np.abs(seen))]
         swing = shape / largest
-        found.append(
+        motions.append(
             FreeVibration(
                 float(pole.imag) / (2.0 * np.pi),
                 -float(pole.real),
@@ -67,4 +67,4 @@ def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeVibrati
                 dict(zip(compiled.facts.states, (1j * swing).real.tolist(), strict=True)),
             )
         )
-    return found
+    return motions

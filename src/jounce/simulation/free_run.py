@@ -18,7 +18,7 @@ from jounce.core.units import to_si
 from jounce.kernel.engine import Control, Problem, Status, flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
-from jounce.mechanics.facts import moved_by
+from jounce.mechanics.facts import motion_of_speed
 from jounce.mechanics.loads import PushApart, SpringDamper, refuse_one_point
 from jounce.mechanics.mechanism import BALANCE
 from jounce.parts.advice import size_findings
@@ -157,7 +157,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
         # a spinning body may hold itself up
         if not is_moving and (names := falling(compiled, first, u, p)):
-            notes.append([finding("simulation.on_top", ", ".join(dict.fromkeys(map(moved_by, names))))])
+            notes.append([finding("simulation.on_top", ", ".join(dict.fromkeys(map(motion_of_speed, names))))])
 
     mobility = mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
 
@@ -299,7 +299,7 @@ def _prepare(
     control = Control(STEP_SHARE * tolerance, scale, np.full(len(modes), 1e-13), MAX_STEPS, longest)
     flat = flatten(tracks or [constant(0.0)])
     first = flat.first[: len(tracks)].copy()
-    problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
+    problem = Problem(compiled.engine, flat, first, compiled.extend(p), modes.copy(), x, len(u))
     prepared = PreparedRun(compiled, problem, control, room(compiled, times), None, modes, None, u)
     if method == "explicit":
         return prepared
@@ -394,7 +394,7 @@ def _at_rest(
     facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
     still, end = np.zeros_like(u), n_q + n_v
     still[:: facts.track_order] = u[:: facts.track_order]
-    p = compiled.plain.extended(p)
+    p = compiled.plain.extend(p)
     runs = np.array([name in running for name in facts.speeds], dtype=bool)
     others = np.flatnonzero(~runs)
     modes = (compiled.evaluate("switch", x, still, p, np.ones(len(facts.switches))) > 0.0).astype(float)
@@ -471,8 +471,8 @@ def _at_rest(
                 x = onto_loops(x + lift[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes)
                 continue
             if falling:
-                names = ", ".join(dict.fromkeys(moved_by(name) for name in falling))
+                names = ", ".join(dict.fromkeys(motion_of_speed(name) for name in falling))
                 raise SimulationError("no static equilibrium was found: nothing holds it", where=names, hint=_HINT)
             neutral = np.any(np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1)
-            return x, [moved_by(facts.speeds[i]) for i in others[neutral]]
+            return x, [motion_of_speed(facts.speeds[i]) for i in others[neutral]]
     raise SimulationError("no static equilibrium was found", where="the mechanism", hint=_HINT)

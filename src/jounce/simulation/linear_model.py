@@ -12,7 +12,7 @@ from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import as_number
-from jounce.mechanics.facts import moved_by
+from jounce.mechanics.facts import motion_of_speed
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at
@@ -132,7 +132,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     >>> bool(abs(model.frequency_response([1e-3], "sprung.z")[0] - 1.0) < 1e-3)   # quasi-static: the body follows
     True
     """
-    return _linearised(rig, road_height)
+    return _linearise(rig, road_height)
 
 
 def numbers_without_friction(rig: Rig) -> dict[str, float]:
@@ -140,7 +140,7 @@ def numbers_without_friction(rig: Rig) -> dict[str, float]:
     return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
 
 
-def _linearised(rig: Rig, road_height: float, *, slides: bool = False) -> LinearModel:
+def _linearise(rig: Rig, road_height: float, *, slides: bool = False) -> LinearModel:
     compiled, p, rest, u = _at_rest(rig, road_height, slides=slides)
     facts, where = compiled.facts, (rest.x, u, p, rest.modes)
     c, along = compiled.slopes("x", *where)["output"], compiled.slopes("u", *where)
@@ -149,7 +149,7 @@ def _linearised(rig: Rig, road_height: float, *, slides: bool = False) -> Linear
     b, d = rest.pick @ along["rate"], along["output"]
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
     speeds = [facts.speeds[i] for i in rest.free]  # states: the free motions, their speeds, and the internal states
-    states = (*map(moved_by, speeds), *speeds, *facts.internal)
+    states = (*map(motion_of_speed, speeds), *speeds, *facts.internal)
     return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
 
 
@@ -179,7 +179,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
     (5.1, 28.2)
     """
-    model = _linearised(rig, road_height, slides=True)
+    model = _linearise(rig, road_height, slides=True)
     values, vectors = np.linalg.eig(model.A)
     heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
@@ -237,7 +237,7 @@ def _at_rest(rig: Rig, road_height: float, *, slides: bool = False) -> tuple[Com
     p = compiled.parameter_values(numbers_without_friction(rig) if slides else rig.parameters())
     u = compiled.inputs(road_height)
     rest = for_small_motions(compiled, find_equilibrium(compiled, p, u), p, u)
-    outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extended(p), rest.modes)
+    outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extend(p), rest.modes)
     if flipped_at(compiled.output_names, outputs[:, None]) is not None:
         raise SimulationError(
             "the linkage goes together the wrong way round only",

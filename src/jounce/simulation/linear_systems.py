@@ -20,7 +20,7 @@ import numpy as np
 from jounce.core.remembered import once_per_object
 from jounce.kernel.methods.implicit import Slopes
 from jounce.kernel.methods.rosenbrock import RosenbrockStep
-from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache, compile_functions
 from jounce.mechanics import Model
 from jounce.simulation.compiled import Compiled
 
@@ -35,7 +35,7 @@ def slopes_of(compiled: Compiled) -> Slopes:
 @once_per_object
 def _slopes_of(plain: Compiled) -> tuple[Slopes, Native]:
     if plain.identity:
-        native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
+        native, notes = code_from_cache(f"implicit {plain.identity}", lambda: _source(plain.model))
     else:
         source = _source(plain.model)
         native, notes = compile_functions(source.functions, source.step), source.notes
@@ -68,10 +68,12 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
     none, shift, r = ca.SX.sym("none", 0), ca.SX.sym("shift"), ca.SX.sym("r", model.x.shape[0])
     factors = Factors(slopes.matrix(shift))
     symbols = ca.SX.sym("factors", factors.values.shape[0] + 1)
-    solved = slopes.ordered(factors.solve(symbols[1:], slopes.right_side(r)))
+    solved = slopes.in_state_order(factors.solve(symbols[1:], slopes.right_side(r)))
     factor = ca.vertcat(factors.soundness, factors.values)
     return {
-        "look": ca.Function("look", known, [ca.cse(ca.densify(_found(model, ca.vertcat(looked, model.balance.rate))))]),
+        "look": ca.Function(
+            "look", known, [ca.cse(ca.densify(_eliminate(model, ca.vertcat(looked, model.balance.rate))))]
+        ),
         "along_input": ca.Function("along_input", known, [ca.cse(ca.densify(_along_input(model)))]),
         "factor": ca.Function("factor", [flat, shift, none, none], [ca.cse(ca.densify(factor))]),
         "solve": ca.Function("solve", [r, none, symbols, flat], [ca.cse(ca.densify(solved))]),
@@ -83,7 +85,7 @@ def _elements(matrices: Iterable[ca.SX]) -> ca.SX:
     return ca.vertcat(*(ca.vec(matrix.nz[:]) for matrix in matrices))
 
 
-def _found(model: Model, expression: ca.SX) -> ca.SX:
+def _eliminate(model: Model, expression: ca.SX) -> ca.SX:
     return ca.substitute(expression, model.balance.unknown, model.balance.found)
 
 
@@ -94,7 +96,7 @@ def _along_input(model: Model) -> ca.SX:
     columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
     answered = ca.horzcat(*columns) if columns else ca.SX(balance.unknown.shape[0], 0)
     direct = ca.jacobian(balance.rate, model.u)
-    return _found(model, direct + ca.jacobian(balance.rate, balance.unknown) @ answered)
+    return _eliminate(model, direct + ca.jacobian(balance.rate, balance.unknown) @ answered)
 
 
 def _slopes(model: Model) -> tuple[_Slopes, list[ca.SX]]:
@@ -165,7 +167,7 @@ class _Slopes:
         forces = self.balance_unknown[:, :n_v] @ speeds
         return ca.vertcat(upper, (-forces[:n_v])[::-1], forces[n_v:])
 
-    def ordered(self, solution: ca.SX) -> ca.SX:
+    def in_state_order(self, solution: ca.SX) -> ca.SX:
         """States in their own order, from the solution in the order of elimination."""
         order = self._order
         return ca.vertcat(*(solution[order.index(i)] for i in range(len(order))))

@@ -76,10 +76,10 @@ class PreparedRun:
         tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
         slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
         steps, rejected, events = (int(count) for count in counts)
-        arrays = (out.times, out.states, out.outputs, self._ended(Status.of(code)))
+        arrays = (out.times, out.states, out.outputs, self._status_of(Status.of(code)))
         return Solution(*arrays, steps, rejected, events, slopes[0], slopes[1], method)
 
-    def _ended(self, status: Status) -> Status:
+    def _status_of(self, status: Status) -> Status:
         """Status of the run; one that explodes while its loops approach a singular configuration has locked up."""
         if status in (Status.COMPLETED, Status.LOOP_OPENED) or not self.compiled.facts.constraints:
             return status
@@ -148,7 +148,7 @@ def prepare(
         compiled.engine,
         pieces,
         pieces.first[:-1].copy(),
-        compiled.extended(p, along),
+        compiled.extend(p, along),
         modes.copy(),
         np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still, along)]),
         len(still),

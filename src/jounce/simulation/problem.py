@@ -48,7 +48,7 @@ _SHORTEST = 1e-9  # of a run: a thousand times the least difference of two insta
 COMMAND = "command"  # the track of an actuator
 
 
-def known_actuator(trial: Trial) -> ActiveActuator | None:
+def force_actuator(trial: Trial) -> ActiveActuator | None:
     """The actuator of a trial with a known force: it follows its command at once; None without one."""
     if trial.actuator_force is None:
         return None

@@ -62,7 +62,7 @@ def plain_program(model: Model) -> ModelProgram:
         functions = _side_by_side(functions, hoisted, model)
     else:
         functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), lanes, 0)
-    functions |= hoisted.derived(0)
+    functions |= hoisted.derive(0)
     if turns_linear:
         functions["switch_many"] = hoisted.function("switch", model)
     n = model.x.shape[0]
@@ -102,7 +102,7 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Model
             functions[name] = hoisted.lanes(name, model, dx, count, scalars[name])
         else:
             functions[name] = hoisted.function(name, model)
-    functions |= hoisted.derived(count)
+    functions |= hoisted.derive(count)
     step = Step("rate_s", n * (1 + count), n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
     return ModelProgram(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
@@ -226,15 +226,15 @@ class Hoisted:
         first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)
         return Lanes(function, count, first)
 
-    def _resolved(self, values: ca.SX) -> ca.SX:
+    def _with_fixed_numbers(self, values: ca.SX) -> ca.SX:
         return ca.substitute(values, self._constants, self._fixed) if self._names else values
 
-    def derived(self, count: int) -> dict[str, AnyFunction]:
+    def derive(self, count: int) -> dict[str, AnyFunction]:
         """Extended parameters, and lanes of them, from parameters and their directions (both in place of states)."""
         none = [ca.SX.sym(name, 0) for name in "upm"]
         values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
-        values = self._resolved(ca.vertcat(values, values[self._copies]))
-        wide = self._resolved(ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide))))
+        values = self._with_fixed_numbers(ca.vertcat(values, values[self._copies]))
+        wide = self._with_fixed_numbers(ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide))))
         single = ca.Function("derived", [self._p, *none], [ca.cse(values)])
         if not self.lanes_count:
             return {"derived": single}

@@ -21,7 +21,7 @@ from jounce.core.segments import Segments
 from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
-from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache
 from jounce.kernel.poses import space_for, walk_poses
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.parts import Rig
@@ -30,7 +30,7 @@ from jounce.parts.rig import structure_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_described, sources
 from jounce.simulation.prepare import PreparedRun, prepare
-from jounce.simulation.result import Solution, held_to_its_branch
+from jounce.simulation.result import Solution, cut_at_branch
 from jounce.simulation.sampled import (
     BESIDE,
     COARSEST,
@@ -75,7 +75,7 @@ class Reduction(Sampling):
 
     def compiled(self, degree: int) -> Compiled:
         """Native code of the reduced corner."""
-        return _compiled(self.rig, structure_of(self.rig), degree)
+        return _compile(self.rig, structure_of(self.rig), degree)
 
     def feels(self, path: str, degree: int = DEGREES[0]) -> bool:
         """Whether a parameter of the description affects the reduced corner: by itself, or through its table."""
@@ -122,7 +122,7 @@ class Reduction(Sampling):
         """
         points, transform, powers, squares = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
-        values = self.sampled(p, rack, middle + half * points)
+        values = self.sample(p, rack, middle + half * points)
         series = values[1:] @ transform.T
         leading, dropped = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
         size = self._sizes(leading, half)
@@ -210,7 +210,7 @@ class Reduction(Sampling):
             first = (len(self.start), len(self.tracks), len(self.parameters), 1, 0)
             return Source({"tangent": Lanes(sampled_corner(self.rig).tangent(), _LANES, first)})
 
-        return kept_code(f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source)[0]
+        return code_from_cache(f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source)[0]
 
     def alike(
         self, base: TravelTable, degree: int, paths: Sequence[str], values: Array, limit: float
@@ -287,11 +287,11 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
 def _sensitive(rig: Corner, structure: str, degree: int, varied: tuple[str, ...], count: int) -> Compiled:
     """The same for any ``count`` numbers that change the parameters ``moved``."""
     key = ("reduced", type(rig).__name__, structure, degree, varied, count)
-    plain, free = _compiled(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
+    plain, free = _compile(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
     return compile_described(key, plain.source, free, lambda: plain, varied)
 
 
-def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:
+def _compile(rig: Corner, structure: str, degree: int) -> Compiled:
     def model() -> Model:
         from jounce.models.reduced import reduced_corner
 
@@ -315,7 +315,7 @@ class ReducedRun:
         n, x = len(self.prepared.compiled.facts.coordinates), self.prepared.equilibrium.x
         return float(x[n - 1] - (x[0] if n > 1 else 0.0))
 
-    def travelled(self, states: Array) -> tuple[Array, Array]:
+    def travel_bounds(self, states: Array) -> tuple[Array, Array]:
         """Bounds of the travel (m) at and between the samples, which run along the last axis."""
         n, times = len(self.prepared.compiled.facts.coordinates), self.prepared.out.times
         travel, rate = states[n - 1], states[2 * n - 1]
@@ -326,7 +326,7 @@ class ReducedRun:
 
     def holds(self, states: Array) -> NDArray[np.bool_]:
         """Whether the wheel stays within the range of the table."""
-        low, high = self.travelled(states)
+        low, high = self.travel_bounds(states)
         return (self.table.low <= low) & (high <= self.table.high)
 
 
@@ -349,11 +349,11 @@ class ReducedCorner:
                 return None
             solution = laid_out.prepared.run()
             compiled = laid_out.prepared.compiled
-            if solution.status is not Status.COMPLETED or held_to_its_branch(compiled, solution) is not solution:
+            if solution.status is not Status.COMPLETED or cut_at_branch(compiled, solution) is not solution:
                 return None
             if laid_out.holds(solution.states):
                 return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
-            laid_out = self.beyond(*map(float, laid_out.travelled(solution.states)))
+            laid_out = self.beyond(*map(float, laid_out.travel_bounds(solution.states)))
         return None
 
     def beyond(self, low: float, high: float) -> ReducedRun | None:

@@ -28,7 +28,7 @@ from jounce.parts.vehicles import FullCar3D
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.prepare import PreparedRun, prepare
-from jounce.simulation.result import Solution, held_to_its_branch
+from jounce.simulation.result import Solution, cut_at_branch
 from jounce.simulation.sampled import (
     DEGREES,
     FLAT,
@@ -127,7 +127,7 @@ class CarReduction:
         points, transform, powers, _ = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
         sampled = dict(
-            zip(sampling.names, sampling.sampled(p[None, :], rack, middle + half * points)[:, 0], strict=True)
+            zip(sampling.names, sampling.sample(p[None, :], rack, middle + half * points)[:, 0], strict=True)
         )
         names = self.places(DEGREES[0]).names[which]
         series = np.array([sampled[name] for name in names]) @ transform.T
@@ -255,7 +255,7 @@ class ReducedCar:
                 continue
             if solution.status is not Status.COMPLETED:
                 return None
-            if held_to_its_branch(prepared.compiled, solution) is not solution:
+            if cut_at_branch(prepared.compiled, solution) is not solution:
                 return None
             return replace(solution, method=f"reduced {solution.method}"), prepared
         return None
@@ -301,7 +301,7 @@ class ReducedCar:
         except SimulationError:
             return None
         p[self.reduction.places(degree).reach] = 1.0
-        return CarRun(replace(prepared, problem=prepared.problem._replace(p=compiled.extended(p))), ranges)
+        return CarRun(replace(prepared, problem=prepared.problem._replace(p=compiled.extend(p))), ranges)
 
     def _numbers(self, ranges: Ranges, degrees: Sequence[int]) -> tuple[int, Array] | None:
         """The first degree that suffices for all ranges, and parameters of its model, without limits of travel."""

@@ -73,7 +73,7 @@ def _pose(solution: Solution, facts: ModelFacts, at: int) -> str:
     return "; pose: " + ", ".join(f"{name} = {value:.5g}" for name, value in values)
 
 
-def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
+def cut_at_branch(compiled: Compiled, solution: Solution) -> Solution:
     """Cut a run where a wheel flips over or a suspension runs away, and set the status accordingly."""
     left, status = flipped_at(compiled.output_names, solution.outputs), Status.FLIPPED
     if left is None and solution.status in (Status.COMPLETED, Status.NOT_FINITE):

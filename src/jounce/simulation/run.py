@@ -9,7 +9,7 @@ from jounce.core.findings import finding_attributes, findings_of
 from jounce.parts import Rig, as_rig, rig_findings
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.settings import Method, RunSettings, Start
-from jounce.simulation.solve import solved
+from jounce.simulation.solve import solve
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -78,7 +78,7 @@ def simulate(
     settings, rig = RunSettings(output_step, tolerance, method), as_rig(rig)
     more: dict[str, Any] = {"offset": offset, "detail": detail, "check": check, "control": control}
     if start == "rest":
-        run = solved(rig, as_trial(trial), settings, **more)
+        run = solve(rig, as_trial(trial), settings, **more)
     else:
         from jounce.simulation.running import solved_running
 

@@ -14,7 +14,7 @@ from jounce.parts import Rig
 from jounce.roads import Road, Trial
 from jounce.simulation.linear_model import linearise
 from jounce.simulation.settings import RunSettings, Start
-from jounce.simulation.solve import RunOutput, solved
+from jounce.simulation.solve import RunOutput, solve
 
 LEFT_OVER = 1e-3
 """Share of a start from rest that may be left when a run on a belt begins: the energy of a residual of 1e-6."""
@@ -75,12 +75,12 @@ def period_of(trial: Trial) -> float:
 
 
 def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any) -> RunOutput:
-    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.solve.solved`.
+    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.solve.solve`.
 
     The run is begun from rest so many loops earlier and its time counts from where the trial begins.
     """
     if start == "rest":
-        return solved(rig, trial, settings, **more)
+        return solve(rig, trial, settings, **more)
     period = period_of(trial)
     loops = loops_before(rig, period) if start == "periodic" else _count(start)
     if trial.speeds is not None:
@@ -92,7 +92,7 @@ def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, 
     step = settings.output_step
     before = math.ceil(loops * period / step - 1e-9)  # a whole number of samples
     longer = _begun_earlier(trial, before * step, loops)
-    run = solved(rig, longer, settings, **more)
+    run = solve(rig, longer, settings, **more)
     times = settings.times(trial.duration)
     channels = {name: (values[before:], unit, words) for name, (values, unit, words) in run.channels.items()}
     attributes = {**run.attributes, "start": f"{start if start == 'periodic' else ''} after {loops} loops".strip()}

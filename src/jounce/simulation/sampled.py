@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from jounce.core.remembered import Recent
 from jounce.core.types import Array
-from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache
 from jounce.kernel.poses import Walk, space_for, walk_variants
 from jounce.roads import Trial
 from jounce.simulation.compiled import sources
@@ -123,7 +123,7 @@ class Sampling:
         address, origin = self.native.address, np.zeros(len(self.tracks))
         return Walk(address["pose"], address["output"], p, self.start, origin, targets, before), place
 
-    def sampled(self, p: Array, rack: float, travel: Array) -> Array:
+    def sample(self, p: Array, rack: float, travel: Array) -> Array:
         """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
         walk, place = self.walk(p[0].copy(), rack, travel)
         values = np.empty((len(self.names), len(p), len(travel)))
@@ -140,7 +140,7 @@ def sampling_of(identity: str, make: Callable[[], SampledCorner]) -> Sampling:
         notes = {"names": corner.names, "tracks": corner.tracks, "parameters": corner.parameters, "start": corner.start}
         return Source({"pose": corner.pose, "output": corner.output}, None, json.dumps(notes))
 
-    native, notes = kept_code(f"{sources()} {identity}", source)
+    native, notes = code_from_cache(f"{sources()} {identity}", source)
     table = json.loads(notes)
     names, tracks, parameters = (tuple(table[name]) for name in ("names", "tracks", "parameters"))
     return Sampling(native, names, tracks, parameters, np.array(table["start"], dtype=float))

@@ -45,29 +45,29 @@ def run_through(
     Returns the run, and the times (s) at which it passed one with modified steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
-    first = _judged(begin(x, times, tolerance), tolerance, strict=strict)
-    run, reached, crossings = first, _reached(first), []
+    first = _run_and_judge(begin(x, times, tolerance), tolerance, strict=strict)
+    run, reached, crossings = first, _sample_count(first), []
     for _ in range(_CROSSINGS):
         if run.status not in _LOST_WAY or not strict:
             break
-        past = _passed(begin, run, reached, tolerance)
+        past = _pass_pose(begin, run, reached, tolerance)
         if past is None:
             break
         crossings.append(float(times[reached - 1]))
-        at = _reached(past) - 1
-        remainder = _judged(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
-        run, reached = _joined(past, remainder, at), at + _reached(remainder)
+        at = _sample_count(past) - 1
+        remainder = _run_and_judge(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
+        run, reached = _join(past, remainder, at), at + _sample_count(remainder)
     return run, tuple(crossings)
 
 
-def _passed(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solution | None:
+def _pass_pose(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solution | None:
     """The run extended by some samples past the pose where it ended; None if no steps get past it."""
     for back, looser in zip(_BEFORE, _LOOSER, strict=True):
         at, end = max(reached - 1 - back, 0), min(reached + _PAST, len(run.time))
         loose = max(min(looser * tolerance, _LOOSEST), tolerance)
-        part = _judged(begin(run.states[:, at], run.time[at:end], loose), loose, strict=True)
+        part = _run_and_judge(begin(run.states[:, at], run.time[at:end], loose), loose, strict=True)
         if part.status is Status.COMPLETED:
-            return _joined(run, part, at)
+            return _join(run, part, at)
     return next(filter(None, (_carried_over(begin, run, reached, ahead, tolerance) for ahead in _AHEAD)), None)
 
 
@@ -86,7 +86,7 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
     begins, ends = float(run.time[last - width]), float(run.time[last])
     nodes = 0.5 * (begins + ends) - 0.5 * (ends - begins) * np.cos(np.pi * np.arange(_NODES) / (_NODES - 1))
     before = begin(run.states[:, last - width], nodes, tolerance).run()
-    if _reached(before) < _NODES:
+    if _sample_count(before) < _NODES:
         return None
     from scipy.interpolate import BarycentricInterpolator
 
@@ -98,21 +98,21 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
         compiled, fixed = at_pose.compiled, (at_pose.still, at_pose.problem.p, at_pose.problem.m)
         closed = x
         for _ in range(_CLOSINGS):
-            closed = compiled.projected(closed, *fixed)
+            closed = compiled.project(closed, *fixed)
         if not np.max(np.abs(closed - x)) < _ON_CURVE * (1.0 + np.max(np.abs(x))):
             return None
         states[:, i], outputs[:, i] = closed, compiled.evaluate("output", closed, *fixed)
     times = run.time[target : target + _PAST + 1]
-    remainder = _judged(begin(states[:, target], times, tolerance), tolerance, strict=True)
+    remainder = _run_and_judge(begin(states[:, target], times, tolerance), tolerance, strict=True)
     names = at_pose.compiled.output_names
     balance, taken = outputs[names.index(BALANCE)], states[at_pose.compiled.facts.states.index(BALANCE)]
     size = abs(balance[target] + taken[target]) + abs(taken[target] - taken[0]) + _STILL
     if remainder.status is not Status.COMPLETED or abs(balance[target] - balance[last]) > _LOST * size:
         return None
-    return _joined(replace(run, states=states, outputs=outputs), remainder, target)
+    return _join(replace(run, states=states, outputs=outputs), remainder, target)
 
 
-def _joined(run: Solution, part: Solution, at: int) -> Solution:
+def _join(run: Solution, part: Solution, at: int) -> Solution:
     """A run up to the sample ``at``, continued by another one."""
     states, outputs = (np.full_like(table, np.nan) for table in (run.states, run.outputs))
     states[:, :at], outputs[:, :at] = run.states[:, :at], run.outputs[:, :at]
@@ -124,11 +124,11 @@ def _joined(run: Solution, part: Solution, at: int) -> Solution:
     )
 
 
-def _judged(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solution:
+def _run_and_judge(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solution:
     """Run, and end the run where its energy jumps."""
     solution, facts = prepared.run(), prepared.compiled.facts
     states = solution.states.copy()
-    outputs, reached = solution.outputs.copy(), _reached(solution)
+    outputs, reached = solution.outputs.copy(), _sample_count(solution)
     if strict and BALANCE in facts.internal and reached:
         balance = outputs[prepared.compiled.output_names.index(BALANCE), :reached]
         taken = states[facts.states.index(BALANCE), :reached]
@@ -141,7 +141,7 @@ def _judged(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solutio
     return replace(solution, states=states, outputs=outputs)
 
 
-def _reached(solution: Solution) -> int:
+def _sample_count(solution: Solution) -> int:
     """Number of computed samples."""
     return int(np.sum(np.isfinite(solution.states[0])))
 

@@ -19,8 +19,8 @@ from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
-from jounce.simulation.problem import excitation, known_actuator
-from jounce.simulation.result import Solution, held_to_its_branch, samples_reached
+from jounce.simulation.problem import excitation, force_actuator
+from jounce.simulation.result import Solution, cut_at_branch, samples_reached
 from jounce.simulation.settings import RunSettings
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class RunOutput:
         return recording_of(self.time, self.channels, attributes=self.attributes)
 
 
-def solved(
+def solve(
     rig: Rig,
     trial: Trial,
     settings: RunSettings,
@@ -55,7 +55,7 @@ def solved(
     """Like :func:`simulate`, without building a Dataset."""
     times, method = settings.times(trial.duration), settings.method
     if not (offset or detail or control is not None):
-        reduced = _reduced(rig, trial, settings, times)
+        reduced = _solve_reduced(rig, trial, settings, times)
         if reduced is not None:
             return reduced
     loop = None
@@ -69,7 +69,7 @@ def solved(
             where="trial: actuator_force",
             allowed="one of the two",
         )
-    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else known_actuator(trial))
+    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else force_actuator(trial))
     p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
     start = start_offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
@@ -87,15 +87,15 @@ def solved(
     solution = prepared.run()
     if loop:
         raise_controller_error(loop)
-    solution = held_to_its_branch(compiled, solution)
+    solution = cut_at_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
-    result = _solved(compiled, solution, reach)
+    result = _output(compiled, solution, reach)
     if loop and loop.findings:
         result = replace(result, attributes=result.attributes | finding_attributes(loop.findings))
     return result
 
 
-def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> RunOutput | None:
+def _solve_reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> RunOutput | None:
     """Run corners by one coordinate each; None if that is not possible and the full mechanism has to run."""
     from jounce.simulation.reduced import ReducedCorner, reduction_for
     from jounce.simulation.reduced_car import ReducedCar, car_reduction_for
@@ -112,10 +112,10 @@ def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Run
         return None
     if run is None:
         return None
-    return _solved(run[1].compiled, run[0], len(times))
+    return _output(run[1].compiled, run[0], len(times))
 
 
-def _solved(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
+def _output(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
     """The first ``reach`` samples of a run."""
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)

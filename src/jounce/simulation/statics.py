@@ -234,7 +234,7 @@ def _solve_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | No
     still = np.zeros_like(u)
     order = compiled.facts.track_order
     still[::order] = u[::order]
-    p = compiled.plain.extended(p)
+    p = compiled.plain.extend(p)
     for guess in _starts(compiled, still, start):  # springs that are soft at first need a start that compresses them
         rest = _newton(compiled, p, still, guess)
         if rest is not None:
@@ -304,7 +304,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
     """
     n_q, n_v = compiled.facts.counts
     modes, pace = compiled.sides(x, u, p), _SLOWEST
-    x = first = _closed(compiled, x, u, p, modes)  # a steered wheel opens the loops of the design pose
+    x = first = _close_loops(compiled, x, u, p, modes)  # a steered wheel opens the loops of the design pose
     for _ in range(_STRIDES if compiled.facts.projects else _ITERATIONS):
         if not np.isfinite(x).all():
             return None
@@ -318,7 +318,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
             if damped_step is None:
                 return None
             step, pace = damped_step
-        x = _closed(compiled, x + now.moved @ step, u, p, modes)
+        x = _close_loops(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
         settled = (sides == modes).all() and _is_small(step[:n_v], x[:n_q]) and _is_small(step[n_v:], x[n_q + n_v :])
         modes = sides
@@ -384,10 +384,10 @@ def _largest(values: Array) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
-def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Array:
+def _close_loops(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Array:
     """Move a state onto the loops."""
     for _ in range(_PROJECTIONS if compiled.facts.projects else 0):
-        x = compiled.projected(x, u, p, modes)
+        x = compiled.project(x, u, p, modes)
     return x
 
 

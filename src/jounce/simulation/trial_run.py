@@ -17,7 +17,7 @@ from jounce.roads import Trial
 from jounce.roads.options import AnyTrial
 from jounce.roads.trial import trial_findings
 from jounce.simulation.settings import Method, RunSettings, Start
-from jounce.simulation.solve import RunOutput, solved
+from jounce.simulation.solve import RunOutput, solve
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -109,7 +109,7 @@ def run_trial(
     rig = as_rig(rig)
     settings = RunSettings(output_step, tolerance, method)
     if start == "rest":
-        run = solved(rig, trial, settings)
+        run = solve(rig, trial, settings)
     else:
         from jounce.simulation.running import solved_running
 

@@ -25,10 +25,10 @@ from jounce.roads import Trial
 from jounce.roads.trial import is_lasting
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import PreparedRun, prepare
-from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
+from jounce.simulation.problem import MOVES_TRACKS, excitation, force_actuator
 from jounce.simulation.reduced import ReducedCorner, ReducedRun, Reduction, reduction_for
 from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reduction_for
-from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, samples_reached, turns_little
+from jounce.simulation.result import angles_of, branch_limits, cut_at_branch, samples_reached, turns_little
 from jounce.simulation.sampled import STEPS_SHARE, TRIES
 from jounce.simulation.settings import RunSettings
 from jounce.variants import few_channels, stepped
@@ -251,8 +251,8 @@ class VariantStudy:
             from jounce.simulation.controlled import close_loop
 
             loop = close_loop(self.rig, self.control)
-            return compile_rig(self.rig, actuator=loop.actuator if loop else known_actuator(self.trial))
-        return compile_rig(self.rig, actuator=known_actuator(self.trial))
+            return compile_rig(self.rig, actuator=loop.actuator if loop else force_actuator(self.trial))
+        return compile_rig(self.rig, actuator=force_actuator(self.trial))
 
     @cached_property
     def reduction(self) -> Reduction | None:
@@ -355,9 +355,9 @@ class VariantStudy:
         rig = self.rig.with_changes({path: value for path, value in changes.items() if path not in names})
         if not names:
             return rig
-        from jounce.kinematics.adjustments import adjusted
+        from jounce.kinematics.adjustments import apply_adjustments
 
-        return adjusted(rig, {name: changes[name] for name in names})
+        return apply_adjustments(rig, {name: changes[name] for name in names})
 
     def whole(self, path: str) -> bool:
         """Whether the number at a path is a whole one, such as the seed of a road."""
@@ -627,7 +627,7 @@ class _TrialGroup:
             lanes, beyond = np.flatnonzero(sane & inside), np.flatnonzero(sane & ~inside)
             if corner is not None:
                 travelled.low[first + beyond], travelled.high[first + beyond] = (
-                    part[beyond] for part in corner.travelled(states)
+                    part[beyond] for part in corner.travel_bounds(states)
                 )
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):
@@ -698,9 +698,9 @@ class _TrialGroup:
         """Run the rig with some of its numbers changed."""
         settings, compiled, rig = self.study.settings, self.study.compiled, self.study.changed_rig(changes)
         if self.control is not None:
-            from jounce.simulation.solve import solved
+            from jounce.simulation.solve import solve
 
-            run = solved(rig, self.trial, settings, control=self.control)
+            run = solve(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
             findings = findings_of(run.attributes)
             return _RunSamples(compiled.output_names, outputs, outputs[:, 0], findings)
@@ -718,7 +718,7 @@ class _TrialGroup:
         if few is not None and some is not None:
             return _RunSamples(few.names, *some)
         prepared_run = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
-        solution = held_to_its_branch(compiled, prepared_run.run())
+        solution = cut_at_branch(compiled, prepared_run.run())
         samples_reached(solution, compiled.facts, check=True)
         at = prepared_run.equilibrium
         rest = solution.outputs[:, 0]

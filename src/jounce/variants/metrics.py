@@ -16,7 +16,7 @@ from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.recordings.schema import channels_of
-from jounce.ride.weighting import WEIGHTINGS, check_duration, weighted
+from jounce.ride.weighting import WEIGHTINGS, check_duration, weight
 
 if TYPE_CHECKING:
     from jounce.variants.side_by_side import Sums
@@ -125,7 +125,7 @@ def of_course(metric: RunMetric, values: Array, rest: float, output_step: float)
 def of_courses(metric: RunMetric, courses: Array, rest: Array, output_step: float) -> Array:
     """The same of rows of samples, from which the values at rest have been taken."""
     if metric.needs_course:
-        felt = [weighted(row, 1.0 / output_step, metric.word) for row in courses]
+        felt = [weight(row, 1.0 / output_step, metric.word) for row in courses]
         return np.array([float(np.sqrt(np.mean(row**2))) for row in felt])
     if metric.word == "rms":
         return np.asarray(np.sqrt(np.einsum("ij,ij->i", courses, courses) / courses.shape[1]))

@@ -153,7 +153,7 @@ def lay_out(
         compiled.engine,
         tracks,
         tracks.first[:-1].copy(),
-        compiled.extended(base),
+        compiled.extend(base),
         rest.modes.copy(),
         rest.x.copy(),
         inputs,

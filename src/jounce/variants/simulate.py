@@ -62,8 +62,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         Path of a number to its value in each variant, SI or texts with units, all of one length; a table with such
         columns, ``path [unit]`` or in SI; or a design (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`,
         :func:`monte_carlo`). Paths are those of the rig (``"strut.spring.rate"``) and names of its adjustments
-        (``"upper_arm_length"``, made last; see :func:`adjusted`), ``"trial.speed"``, ``"trial.road.seed"`` and the
-        like, and with a controller ``"control.rate"`` and the like.
+        (``"upper_arm_length"``, made last; see :func:`apply_adjustments`), ``"trial.speed"``, ``"trial.road.seed"``
+        and the like, and with a controller ``"control.rate"`` and the like.
     metrics : sequence of str, optional
         Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
         or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest (with a

@@ -20,9 +20,9 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Control, Engine, Samples, Status
 from jounce.kernel.methods import explicit
-from jounce.kernel.methods.explicit import shortened
+from jounce.kernel.methods.explicit import shorten
 from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
-from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import PreparedRun, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
@@ -48,7 +48,7 @@ Take = Callable[[int, Array, Array], None]
 def in_blocks(compiled: Compiled, parameters: Array, width: int = WIDTH) -> Array:
     """Extended parameters of each row, in blocks of lanes; the first row fills up the last block."""
     short = -len(parameters) % width
-    rows = np.array([compiled.extended(row) for row in parameters])
+    rows = np.array([compiled.extend(row) for row in parameters])
     rows = np.concatenate([rows, np.tile(rows[:1], (short, 1))])
     return np.ascontiguousarray(rows.reshape(-1, width, rows.shape[1]).transpose(0, 2, 1))
 
@@ -111,7 +111,7 @@ def code_of_outputs(compiled: Compiled, channels: Sequence[int], width: int = 0)
 
 def _code(compiled: Compiled, key: str, source: Callable[[], Source]) -> Native:
     whole = f"{compiled.identity} {key}"
-    return _codes.of(whole, lambda: kept_code(whole, source)[0])
+    return _codes.of(whole, lambda: code_from_cache(whole, source)[0])
 
 
 _codes: Recent[Native] = Recent()
@@ -255,7 +255,7 @@ class LaneBlocks:
         loops = (address.get(name, 0) for name in ("project", "project_many"))
         engine = Engine(address["rate"], output, 0, *loops, *(address[steps[name]] for name in STEP_NAMES))
         if short:
-            engine = shortened(engine, engine.step, engine.dense, engine.error)
+            engine = shorten(engine, engine.step, engine.dense, engine.error)
         problem = base.problem._replace(
             engine=engine,
             piece=base.problem.tracks.first[:-1].copy(),

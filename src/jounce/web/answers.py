@@ -90,7 +90,7 @@ def digest_of(rig: Rig) -> str:
     return sha256(rig.model_dump_json().encode()).hexdigest()
 
 
-def described(rig: Rig, name: str) -> dict[str, Any]:
+def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
     """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
     from jounce.core.display import display_unit
     from jounce.core.serialise import to_plain
@@ -112,7 +112,7 @@ def described(rig: Rig, name: str) -> dict[str, Any]:
     }
 
 
-def simulated(
+def simulate_changes(
     project: Project,
     name: str,
     changes: Changes,
@@ -134,7 +134,7 @@ def simulated(
     rigs = variants(project, name, changes, text)
     runs = {label: _run(rig, on) for label, rig in rigs.items()}
     if measured:
-        runs[measured] = _measured(project, measured, begins, on)
+        runs[measured] = _measured_part(project, measured, begins, on)
     ways = {"digest": digest_of(rigs["as it is"]), **_ways_of(name, changes, trial, measured)}
     if spectra:
         from jounce.report.recordings import curve_viewer
@@ -156,13 +156,13 @@ def _run(rig: Rig, on: Trial) -> xr.Dataset:
     with ONE:
         if key not in _DONE:
             _DONE[key] = jn.simulate(rig, on, detail=_is_spatial(rig))
-            while len(_DONE) > _MOST_DONE or (len(_DONE) > 2 and _held() > _LARGEST_DONE):
+            while len(_DONE) > _MOST_DONE or (len(_DONE) > 2 and _cache_size() > _LARGEST_DONE):
                 _DONE.popitem(last=False)
         _DONE.move_to_end(key)
         return _DONE[key].copy()
 
 
-def _held() -> int:
+def _cache_size() -> int:
     """Bytes of the last few runs."""
     return sum(run.nbytes for run in _DONE.values())
 
@@ -177,21 +177,21 @@ def _file_of(road: Any) -> Any:
     return None if file is None else state_of(file)
 
 
-def _measured(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset:
+def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset:
     """What of a recording falls into a trial, on its time."""
     import jounce as jn
     from jounce.core.units import to_si
 
     record, _ = jn.read_recording(project.inside(path))
     time = record["time"] - (to_si(begins, "s", where="begins") if begins.strip() else 0.0)
-    kept = record.assign_coords(time=time.assign_attrs(record["time"].attrs))
-    kept = kept.isel(time=((time >= 0.0) & (time <= on.duration)).to_numpy())
-    if kept.sizes["time"] < 2:
+    part = record.assign_coords(time=time.assign_attrs(record["time"].attrs))
+    part = part.isel(time=((time >= 0.0) & (time <= on.duration)).to_numpy())
+    if part.sizes["time"] < 2:
         hint = "Say where the trial begins in it."
         raise DescriptionError(
             "the recording holds nothing of the trial's time", where="begins", found=begins, hint=hint
         )
-    return kept
+    return part
 
 
 def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], measured: str) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from jounce.web.exports import KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
 from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
 from jounce.web.records import Records
-from jounce.web.safety import EXPORT, Guard, sealed
+from jounce.web.safety import EXPORT, Guard, seal_address
 from jounce.web.working import routes
 
 require("fastapi", "web")  # ruff: isort: split
@@ -152,7 +152,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
     project = Project(folder)
     jobs = Jobs(project)
-    records, seal = Records(project, jobs), partial(sealed, token)
+    records, seal = Records(project, jobs), partial(seal_address, token)
     version = metadata.version("jounce")
 
     @asynccontextmanager
@@ -173,22 +173,28 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     app.router.route_class = Route
 
     @app.exception_handler(JounceError)
-    def refused(_: Request, error: JounceError) -> JSONResponse:
-        found = None if error.found is None else str(error.found)
-        plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
+    def handle_refusal(_: Request, error: JounceError) -> JSONResponse:
+        text_found = None if error.found is None else str(error.found)
+        plain = {
+            "what": error.what,
+            "where": error.where,
+            "found": text_found,
+            "allowed": error.allowed,
+            "hint": error.hint,
+        }
         plain |= {"text": str(error), "german": error.message().german()}
         plain |= without_options(plain)
         here = f"{project.root}{os.sep}"  # files are named as the project names them
-        told = {key: text and text.replace(here, "") for key, text in plain.items()}
-        return _Refusal({"error": told}, 409 if isinstance(error, OutputError) else 422)
+        shortened = {key: text and text.replace(here, "") for key, text in plain.items()}
+        return _Refusal({"error": shortened}, 409 if isinstance(error, OutputError) else 422)
 
     @app.exception_handler(OSError)
     def unwritten(_: Request, error: OSError) -> JSONResponse:
         place = Path(str(error.filename)).name if error.filename else ""
-        return refused(_, unusable(error, place))
+        return handle_refusal(_, unusable(error, place))
 
     @app.exception_handler(Exception)
-    def crashed(_: Request, error: Exception) -> JSONResponse:
+    def handle_crash(_: Request, error: Exception) -> JSONResponse:
         return JSONResponse({"error": {"what": str(unforeseen(error)), "text": str(unforeseen(error))}}, 500)
 
     @app.get("/api/health")
@@ -199,10 +205,10 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/project")
     def whole() -> dict[str, Any]:
         """What lies in the folder."""
-        name, folder = (os.fsencode(one).decode(errors="replace") for one in (project.root.name, project.root))
+        name, folder = (os.fsencode(path).decode(errors="replace") for path in (project.root.name, project.root))
         entries = project.entries()
-        pages = {one.path: seal(_document(one)) for one in entries if one.kind == "page"}
-        addressed = [{**vars(one), "address": pages.get(one.path, "")} for one in entries]
+        pages = {entry.path: seal(_document(entry)) for entry in entries if entry.kind == "page"}
+        addressed = [{**vars(entry), "address": pages.get(entry.path, "")} for entry in entries]
         return {"name": name, "folder": folder, "entries": addressed}
 
     @app.get("/api/library")
@@ -246,14 +252,14 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         from jounce.operations.checks import check_file
 
         with only_below(project.root):
-            found = check_file(project.inside(path))
-        problems = [{"text": text, "german": german_of(text)} for text in found.problems]
-        return {"kind": found.kind, "what": found.what, "problems": problems, "notes": to_plain(found.notes)}
+            checked = check_file(project.inside(path))
+        problems = [{"text": text, "german": german_of(text)} for text in checked.problems]
+        return {"kind": checked.kind, "what": checked.what, "problems": problems, "notes": to_plain(checked.notes)}
 
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:
         """Numbers of a rig with their units."""
-        return answers.described(answers.rig_of(project, name), name)
+        return answers.describe_rig(answers.rig_of(project, name), name)
 
     @app.get("/api/schema")
     def schema(model: str) -> dict[str, Any]:
@@ -273,23 +279,25 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.post("/api/record")
     def part(asked: RecordPart, request: Request) -> Response:
         """Some channels of a record, as much of them as a screen shows."""
-        found = records.open(asked.path)
-        low = found.about["first"] if asked.low is None else asked.low
-        high = found.about["last"] if asked.high is None else asked.high
-        shown = found.viewer(asked.channels, low, high, asked.columns)
-        return _told(answers.CurvesAnswer(shown, records.ways(asked.path, found.about, asked.channels)), request)
+        opened = records.open(asked.path)
+        low = opened.about["first"] if asked.low is None else asked.low
+        high = opened.about["last"] if asked.high is None else asked.high
+        shown = opened.viewer(asked.channels, low, high, asked.columns)
+        return _curves_response(
+            answers.CurvesAnswer(shown, records.ways(asked.path, opened.about, asked.channels)), request
+        )
 
     @app.post("/api/simulate")
     def simulate(asked: RunRequest, request: Request) -> Response:
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
+        shown = answers.simulate_changes(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
                                   measured=asked.measured, begins=asked.begins, spectra=asked.spectra,
                                   numbers=asked.numbers)  # fmt: skip
-        return _told(shown, request)
+        return _curves_response(shown, request)
 
     @app.post("/api/keep")
-    def kept(asked: Keep) -> dict[str, Any]:
+    def keep_run(asked: Keep) -> dict[str, Any]:
         """Write a run into the project, with what it was made of."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
         return history.keep(project, asked.rig, asked.changes, trial, asked.title, asked.digest)
@@ -302,7 +310,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.post("/api/compare")
     def compare(asked: OverlayRequest, request: Request) -> Response:
         """Draw recordings over each other."""
-        return _told(history.compared(project, asked.paths, asked.channels), request)
+        return _curves_response(history.compare_recordings(project, asked.paths, asked.channels), request)
 
     @app.post(EXPORT)
     def export(asked: Exported) -> Response:
@@ -314,7 +322,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.post("/api/kinematics")
     def kinematics(asked: SweepRequest, request: Request) -> Response:
         """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
-        return _told(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
+        return _curves_response(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
 
     app.include_router(routes(project, jobs, seal))
     for path, (name, kind) in _STATIC.items():
@@ -326,7 +334,7 @@ def _document(entry: Entry) -> str:
     return f"/api/document?{urlencode({'path': entry.path})}"
 
 
-def _told(shown: answers.CurvesAnswer, request: Request) -> Response:
+def _curves_response(shown: answers.CurvesAnswer, request: Request) -> Response:
     """Curves as JSON for scripts; for the page, which asks for bytes, as numbers that need no reading."""
     if "application/octet-stream" in request.headers.get("accept", ""):
         return Response(shown.straight(), media_type="application/octet-stream")

@@ -36,11 +36,11 @@ def overview(project: Project, path: str) -> dict[str, Any]:
         "roads": list(campaign.roads),
         "mass": _mass(project, campaign.rig, file),
         "bench": [
-            {"name": name, **table, "found": _found(project, folder, table.get("files", []))}
+            {"name": name, **table, "found": _matching_files(project, folder, table.get("files", []))}
             for name, table in tables.items()
             if table
         ],
-        "trials": [_place(project, folder, one) for one in plain.get("trial", [])],
+        "trials": [_place(project, folder, trial) for trial in plain.get("trial", [])],
         "updates": plain.get("update", []),
     }
 
@@ -48,13 +48,13 @@ def overview(project: Project, path: str) -> dict[str, Any]:
 def title_of(project: Project, path: str) -> str:
     """Give the title that a campaign's file has; its name where it cannot be read, of which the job tells then."""
     try:
-        found = tomlkit.parse(project.read(path).text).get("title", "")
+        title = tomlkit.parse(project.read(path).text).get("title", "")
     except (DescriptionError, tomlkit.exceptions.TOMLKitError):
         return path
-    return found if isinstance(found, str) and found else path
+    return title if isinstance(title, str) and title else path
 
 
-def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
+def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
     """Write a measured file into a campaign: a table of its bench, or one more trial. Comments of the file are kept.
 
     A campaign that could not be read afterwards is not written.
@@ -68,8 +68,8 @@ def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) ->
         with only_below(project.root):
             Campaign.from_table(toml_table(text), where=path, text=text)
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:  # of fields, or what is there
-        told = f"{type(error).__name__}: {error}"
-        raise DescriptionError("this cannot be entered into the campaign", where=path, found=told) from None
+        cause = f"{type(error).__name__}: {error}"
+        raise DescriptionError("this cannot be entered into the campaign", where=path, found=cause) from None
     written = project.write(path, text, was.digest)
     return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
 
@@ -85,7 +85,7 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
     document: Any = tomlkit.parse(text)
     if use == "trial":
         table = tomlkit.table()
-        numbers = [int(one["number"]) for one in document.get("trial", [])]
+        numbers = [int(trial["number"]) for trial in document.get("trial", [])]
         for key, value in {"number": max(numbers, default=0) + 1, **plain}.items():
             table.add(key, _item(value))
         if "trial" not in document:
@@ -99,7 +99,7 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
             bench = bench.setdefault("tyre", tomlkit.table(is_super_table=True))
         name = pressure if use == "tyre" else use
         own = bench.setdefault(name, tomlkit.table())
-        before = [] if replace else [str(one) for one in own.get("files", [])]
+        before = [] if replace else [str(file) for file in own.get("files", [])]
         differing = [key for key in _READ if before and own.get(key) != plain.get(key)]
         if differing:
             said = ", ".join(differing)
@@ -108,14 +108,14 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
         for key in _READ:
             own.pop(key, None)
         for key, value in plain.items():
-            own[key] = _item([*before, *(one for one in value if one not in before)] if key == "files" else value)
+            own[key] = _item([*before, *(file for file in value if file not in before)] if key == "files" else value)
     return tomlkit.dumps(document)
 
 
 def _item(value: Any) -> Any:
     if isinstance(value, Mapping):
         table = tomlkit.inline_table()
-        table.update({key: _item(one) for key, one in value.items()})
+        table.update({key: _item(entry) for key, entry in value.items()})
         return table
     return value
 
@@ -123,7 +123,7 @@ def _item(value: Any) -> Any:
 def _relative(project: Project, campaign: Path, value: Any) -> Any:
     """Names of files of the project as the campaign beside them writes them."""
     if isinstance(value, list):
-        return [_relative(project, campaign, one) for one in value]
+        return [_relative(project, campaign, item) for item in value]
     if isinstance(value, Mapping):
         return {**value, "file": _relative(project, campaign, value["file"])}
     file = project.inside(str(value))
@@ -133,20 +133,20 @@ def _relative(project: Project, campaign: Path, value: Any) -> Any:
     return file.relative_to(campaign.parent).as_posix()
 
 
-def _found(project: Project, folder: Path, patterns: list[str]) -> list[str]:
-    found = []
+def _matching_files(project: Project, folder: Path, patterns: list[str]) -> list[str]:
+    matches = []
     for pattern in patterns:
         try:
             files = sorted(folder.glob(pattern))
         except (ValueError, NotImplementedError, OSError, RecursionError):  # no pattern, or it leads nowhere
             continue
-        found += [one.resolve() for one in files if one.resolve().is_relative_to(project.root)]
-    return [one.relative_to(project.root).as_posix() for one in dict.fromkeys(found)]
+        matches += [file.resolve() for file in files if file.resolve().is_relative_to(project.root)]
+    return [file.relative_to(project.root).as_posix() for file in dict.fromkeys(matches)]
 
 
 def _place(project: Project, folder: Path, trial: Mapping[str, Any]) -> dict[str, Any]:
     """A trial, and where its recording lies in the project."""
-    named = _found(project, folder, [str(trial.get("recording", ""))]) if trial.get("recording") else []
+    named = _matching_files(project, folder, [str(trial.get("recording", ""))]) if trial.get("recording") else []
     return {**trial, "file": named[0] if named else ""}
 
 

@@ -17,7 +17,7 @@ from jounce.core.commands import command_line
 from jounce.core.description import join_path, toml_error, toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
-from jounce.web.answers import changed_by, described, rig_in, word
+from jounce.web.answers import changed_by, describe_rig, rig_in, word
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -63,9 +63,9 @@ def schema(model: str) -> dict[str, Any]:
     models = {**RIGS, **VEHICLES}
     if model not in models:
         raise unknown(model, models, what="model", where="model")
-    found: dict[str, Any] = models[model].model_json_schema(by_alias=True)
-    found["properties"].pop("without", None)  # what a text leaves out, it does not say
-    return found
+    plain: dict[str, Any] = models[model].model_json_schema(by_alias=True)
+    plain["properties"].pop("without", None)  # what a text leaves out, it does not say
+    return plain
 
 
 def form_of(
@@ -98,7 +98,7 @@ def form_of(
                 now = rig.with_changes(dict(changes)).parameters()
                 text = changed_text(text, rig, {path: now[path] for path in changes})
                 values, rig = toml_table(text), rig_in(project, path, text)
-            numbers, python = described(rig, path), _python(project, path, saved, rig)
+            numbers, python = describe_rig(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
         return Form(text, values, model, _problems(error, values), None, _differing(saved, text))
     is_saved = text == saved.replace("\r\n", "\n")  # a command knows no other
@@ -152,12 +152,12 @@ def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
 
 def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProblem, ...]:
     """What an error says, each problem at its value; where that is not in the text, words say the place."""
-    found = []
+    problems = []
     for each in error.problems or (error,):
         path = join_path(each.path) or (each.where if each.where.partition(".")[0].partition("[")[0] in values else "")
         text = each.message(placed=not path)
-        found.append(FormProblem(path, each.line or 0, text, text.german()))
-    return tuple(found)
+        problems.append(FormProblem(path, each.line or 0, text, text.german()))
+    return tuple(problems)
 
 
 def _differing(before: str, after: str) -> tuple[str, ...]:

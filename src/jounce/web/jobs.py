@@ -105,11 +105,11 @@ class Jobs:
         """Begin a job; give its state."""
         doing = doing_of(task, self.project)
         with self.lock:
-            running = [one for one in self._all() if one["state"] == "running"]
+            running = [job for job in self._all() if job["state"] == "running"]
             if len(running) >= _MOST_RUNNING:
                 hint = "Wait for one of them, or cancel it."
                 raise OutputError("too many jobs run", where="jobs", found=len(running), hint=hint)
-            clash = next((one for one in running if doing.out and one["out"] == doing.out), None)
+            clash = next((job for job in running if doing.out and job["out"] == doing.out), None)
             if clash is not None:
                 hint = "Wait for it, or choose another folder."
                 raise OutputError("a job writes there already", where=doing.out, found=clash["title"], hint=hint)
@@ -117,28 +117,28 @@ class Jobs:
             number = max((_number(name) for name in self._names()), default=0) + 1
             name = f"{min(number, _GREATEST):06d}-{secrets.token_hex(4)}"
             self.begun[name] = time.monotonic()
-            folder = self._made(self.folder / name, doing, task)
+            folder = self._write_job(self.folder / name, doing, task)
             if not (self._has_loaded() and self._split(folder, _BEHIND)):
-                self.processes[name] = _started(folder)
+                self.processes[name] = _start_process(folder)
             self.read = 0.0
             return self.state(name)
 
     def ask(self, doing: Doing) -> dict[str, Any]:
         """Do something that does not last, in a process of its own with limits, and wait for what comes of it."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
-            folder = self._made(Path(place) / "asked", doing, None)
+            folder = self._write_job(Path(place) / "asked", doing, None)
             if doing.light:
-                _started(folder, waited=True)
+                _start_process(folder, waited=True)
             else:
                 self._apart(folder)
             if not _is_over(folder, doing.patience, self.closing):
                 mark(folder / CANCEL)
-                found = f"more than {doing.patience:.0f} s"
-                raise DescriptionError("this takes too long", where=doing.title, found=found)
-            end = _known(_End, folder / END)
-            told = _told(folder, end.code if end else -1)
-            if told["error"] is not None:
-                raise Refused(told["error"])
+                limit = f"more than {doing.patience:.0f} s"
+                raise DescriptionError("this takes too long", where=doing.title, found=limit)
+            end = _read_model(_End, folder / END)
+            outcome = _outcome(folder, end.code if end else -1)
+            if outcome["error"] is not None:
+                raise Refused(outcome["error"])
             page = folder / "report.html"
             text = page.read_text(encoding="utf-8") if page.is_file() else ""
             return {"result": _result(folder), "page": text, **ways(doing)}
@@ -155,7 +155,7 @@ class Jobs:
         with self.lock:
             is_begun = self._split(folder, 0)
         if not is_begun:
-            _started(folder, waited=True)
+            _start_process(folder, waited=True)
 
     def _has_loaded(self) -> bool:
         """Whether the process that is ready has loaded everything, as it says by a line; none is before a page is."""
@@ -192,29 +192,29 @@ class Jobs:
         if name in self.ended:
             return self.ended[name]
         folder = self._place(name)
-        job, progress = self._job(name), _known(_Progress, folder / PROGRESS) or _Progress()
+        job, progress = self._job(name), _read_model(_Progress, folder / PROGRESS) or _Progress()
         is_cancelled = os.path.lexists(folder / CANCEL)
-        found = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "german": None, "ended": None}
-        found |= progress.model_dump(exclude={"at", "clock"})
-        end = _known(_End, folder / END)
+        answer = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "german": None, "ended": None}
+        answer |= progress.model_dump(exclude={"at", "clock"})
+        end = _read_model(_End, folder / END)
         if end is None and self._lives(name, folder):
             lasted = None if job.clock is None else float(round(max(0.0, time.monotonic() - job.clock)))
-            return found | {"state": "cancelling" if is_cancelled else "running", "lasted": lasted}
-        end = end or _known(_End, folder / END)  # which it may have written between the two looks
-        told = _told(folder, end.code if end else None)
-        state = told["state"] if not is_cancelled or told["state"] == "done" else "cancelled"
-        here, error = f"{self.project.root}{os.sep}", told["error"] or {}
+            return answer | {"state": "cancelling" if is_cancelled else "running", "lasted": lasted}
+        end = end or _read_model(_End, folder / END)  # which it may have written between the two looks
+        outcome = _outcome(folder, end.code if end else None)
+        state = outcome["state"] if not is_cancelled or outcome["state"] == "done" else "cancelled"
+        here, error = f"{self.project.root}{os.sep}", outcome["error"] or {}
         last, ended = (end.clock, end.ended) if end else (progress.clock, progress.at)
         lasted = None if last is None or job.clock is None else max(0.0, last - job.clock)
-        found |= {"state": state, "code": end and end.code, "ended": ended, "lasted": lasted}
+        answer |= {"state": state, "code": end and end.code, "ended": ended, "lasted": lasted}
         if state == "failed":
-            found["error"], found["german"] = (
+            answer["error"], answer["german"] = (
                 (error.get(key) or "").replace(here, "") or None for key in ("text", "german")
             )
         if end is None:  # it is asked again: where it was begun just now by another server, it lives in a moment
-            return found | {"error": _LOST, "german": german_of(_LOST)}
-        self.ended[name] = found
-        return found
+            return answer | {"error": _LOST, "german": german_of(_LOST)}
+        self.ended[name] = answer
+        return answer
 
     def result(self, name: str) -> Any:
         """What the command of a job printed."""
@@ -253,29 +253,29 @@ class Jobs:
         return file if file is not None and file.is_file() else None
 
     def _all(self) -> list[dict[str, Any]]:
-        found: list[dict[str, Any]] = []
+        states: list[dict[str, Any]] = []
         for name in self._names()[:_MOST_LOOKED_AT]:
             with contextlib.suppress(DescriptionError, OutputError):  # none of ours
-                found.append(self.state(name))
-            if len(found) == _MOST_KEPT:
+                states.append(self.state(name))
+            if len(states) == _MOST_KEPT:
                 break
-        return found
+        return states
 
     def _names(self) -> list[str]:
         """Names of folders that may be jobs, the last number first."""
         try:
             with os.scandir(self.folder) as entries:
-                names = [one.name for one in entries if _NAME.fullmatch(one.name)]
+                names = [entry.name for entry in entries if _NAME.fullmatch(entry.name)]
         except (OSError, OutputError):  # nothing was begun yet, or it is no folder
             return []
         return sorted(names, key=lambda name: (_number(name), name), reverse=True)
 
     def _forget_old(self) -> None:
-        for one in self._all()[_MOST_KEPT // 2 :]:
-            if one["state"] not in ("running", "cancelling"):
+        for job in self._all()[_MOST_KEPT // 2 :]:
+            if job["state"] not in ("running", "cancelling"):
                 with contextlib.suppress(OutputError):
-                    _remove(self.folder / one["id"])
-                self.ended.pop(one["id"], None)
+                    _remove(self.folder / job["id"])
+                self.ended.pop(job["id"], None)
 
     def _place(self, name: str) -> Path:
         if not _NAME.fullmatch(name) or not is_regular(self.project.own(PLACE, name) / JOB):
@@ -283,7 +283,7 @@ class Jobs:
         return self.folder / name
 
     def _job(self, name: str) -> _Job:
-        job = _known(_Job, self._place(name) / JOB)
+        job = _read_model(_Job, self._place(name) / JOB)
         if job is None:
             raise DescriptionError("no such job", where="job", found=name)
         return job
@@ -299,7 +299,7 @@ class Jobs:
             return is_held(folder / ALIVE)
         return time.monotonic() - self.begun.get(name, -_JUST_BEGUN) < _JUST_BEGUN
 
-    def _made(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
+    def _write_job(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
         """Write down what is to be done, and with which words."""
         folder.mkdir(parents=True, mode=0o700)
         own = [word.replace("{folder}", str(folder)) for word in doing.own]
@@ -339,7 +339,7 @@ def ways(doing: Doing) -> dict[str, Any]:
             "files": doing.files}  # fmt: skip
 
 
-def _started(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
+def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
     """A process that works on what a folder says, and outlives this one; the page goes before it unless it waits."""
     with (folder / RESULT).open("wb") as out, (folder / PROBLEMS).open("wb") as problems:
         apart: dict[str, Any] = {"start_new_session": True}
@@ -396,7 +396,7 @@ from jounce.web.worker import work
 sys.exit(work(pathlib.Path(sys.argv[2])))"""
 
 
-def _told(folder: Path, code: int | None) -> dict[str, Any]:
+def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
     """What the end of a command means, and its error as it was said."""
     try:
         said = content(folder / PROBLEMS, _LONGEST_RESULT).decode(errors="replace")
@@ -443,7 +443,7 @@ def _remove(folder: Path) -> None:
         raise OutputError("the folder of the job cannot be removed", where=folder.name, hint=hint) from error
 
 
-def _known(kind: type[_Said], file: Path) -> _Said | None:
+def _read_model(kind: type[_Said], file: Path) -> _Said | None:
     """What a file of a job says; None where there is none, or it says something else."""
     try:
         return kind.model_validate(plain_json(content(file, _LONGEST)))

@@ -64,7 +64,7 @@ def keep(
     path = f"{_RUNS}/{title}.nc"
     file = project.inside(path)
     taken = OutputError("the file exists", where=path, hint="Choose another name.")
-    if file.exists() and _made(_entry(project, path)) is not None:
+    if file.exists() and _read_entry(_entry(project, path)) is not None:
         raise taken
     saved, on = rig_of(project, name), trial_of(project, trial)
     if digest and digest != digest_of(saved):
@@ -85,9 +85,9 @@ def keep(
     }
     run.attrs |= {f"jounce_{key}": value if isinstance(value, str) else to_json(value) for key, value in made.items()}
     with holding(project.root):  # of two who keep a run under one title, the second is refused
-        made["number"] = max((one["number"] for one in history(project)), default=0) + 1
+        made["number"] = max((earlier["number"] for earlier in history(project)), default=0) + 1
         entry = _entry(project, path)
-        if file.exists() and (_made(entry) is not None or not _is_of(file, made)):
+        if file.exists() and (_read_entry(entry) is not None or not _is_of(file, made)):
             raise taken
         entry.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(entry, to_json(made), force=True)
@@ -99,21 +99,21 @@ def keep(
 
 def history(project: Project) -> list[dict[str, Any]]:
     """Give the runs that were kept and are still there, the newest first."""
-    found = []
+    runs = []
     with contextlib.suppress(OutputError):  # a link stands where they would lie
         for file in project.own(_PLACE).glob("*.json"):
-            made = _made(file)
+            made = _read_entry(file)
             with contextlib.suppress(JounceError, OSError):
                 if made is not None and project.inside(made["path"]).is_file():
-                    found.append(made)
-    return sorted(found, key=lambda made: (made["number"], made["when"]), reverse=True)[:_MOST]
+                    runs.append(made)
+    return sorted(runs, key=lambda made: (made["number"], made["when"]), reverse=True)[:_MOST]
 
 
 def _entry(project: Project, path: str) -> Path:
     return project.own(_PLACE, f"{sha256(path.encode()).hexdigest()[:24]}.json")
 
 
-def _made(entry: Path) -> dict[str, Any] | None:
+def _read_entry(entry: Path) -> dict[str, Any] | None:
     """What a run was made of, as its entry says; None where there is none, or it says something else."""
     try:
         return _Made.model_validate(plain_json(content(entry, _LONGEST))).model_dump()
@@ -132,7 +132,7 @@ def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
         return False
 
 
-def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) -> CurvesAnswer:
+def compare_recordings(project: Project, paths: Sequence[str], channels: Sequence[str]) -> CurvesAnswer:
     """Draw recordings of the project over each other."""
     import jounce as jn
     from jounce.report.recordings import curve_viewer

@@ -33,10 +33,14 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     from jounce.recordings.readers import reader_of
 
     read = reader_of(file).read(file, ReaderOptions()).tables
-    tables = [[one for one in table if one.fault is None] for table in read]
-    left_out = [str(one.fault).replace(str(file), file.name) for table in read for one in table if one.fault]
-    table = max((one for one in tables if one), key=lambda one: one[0].values.size, default=[])
-    time = next((one for one in table if one.name == "time"), None)
+    tables = [[channel for channel in table if channel.fault is None] for table in read]
+    left_out = [
+        str(channel.fault).replace(str(file), file.name) for table in read for channel in table if channel.fault
+    ]
+    table = max(
+        (candidate for candidate in tables if candidate), key=lambda candidate: candidate[0].values.size, default=[]
+    )
+    time = next((channel for channel in table if channel.name == "time"), None)
     if time is None or time.values.size < 2:
         raise RecordingError("no time", where=str(file.name), allowed="a column 'time' of two values at least")
     count = time.values.size
@@ -46,13 +50,13 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     if not even:
         np.save(folder / "time.npy", time.values)
     channels: list[dict[str, str]] = []
-    for k, one in enumerate([one for one in table if one is not time][:_MOST_CHANNELS]):
-        values = np.asarray(one.values, np.float32)
+    for k, channel in enumerate([channel for channel in table if channel is not time][:_MOST_CHANNELS]):
+        values = np.asarray(channel.values, np.float32)
         np.save(folder / f"{k}.npy", values)
         starts = np.arange(0, count, BLOCK)
         np.save(folder / f"{k}.levels.npy", np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]))
-        same = sum(other["name"].partition(" #")[0] == one.name for other in channels)
-        channels.append({"name": f"{one.name} #{same + 1}" if same else one.name, "unit": one.unit})
+        same = sum(other["name"].partition(" #")[0] == channel.name for other in channels)
+        channels.append({"name": f"{channel.name} #{same + 1}" if same else channel.name, "unit": channel.unit})
     about = {"count": count, "first": float(time.values[0]), "step": float(step), "even": even,
              "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels,
              "left_out": left_out[:_MOST_CHANNELS]}  # fmt: skip
@@ -83,7 +87,7 @@ class Levels:
         """Give some channels from ``low`` to ``high`` (in the unit of its time) in so many columns."""
         from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 
-        known = {one["name"]: k for k, one in enumerate(self.about["channels"])}
+        known = {channel["name"]: k for k, channel in enumerate(self.about["channels"])}
         for name in names:
             if name not in known:
                 raise unknown(name, known, what="channel", where="channels")
@@ -117,10 +121,10 @@ class Levels:
     def _index(self, time: float) -> int:
         count = int(self.about["count"])
         if self.about["even"]:
-            found = int(np.floor(np.clip((time - self.about["first"]) / self.about["step"], 0.0, count - 1)))
+            index = int(np.floor(np.clip((time - self.about["first"]) / self.about["step"], 0.0, count - 1)))
         else:
-            found = int(np.searchsorted(np.load(self.folder / "time.npy", mmap_mode="r"), time, "right")) - 1
-        return min(max(found, 0), count - 1)
+            index = int(np.searchsorted(np.load(self.folder / "time.npy", mmap_mode="r"), time, "right")) - 1
+        return min(max(index, 0), count - 1)
 
     def _time(self, places: Any) -> Array:
         if self.about["even"]:

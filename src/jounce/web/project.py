@@ -103,12 +103,12 @@ class Project:
 
     def entries(self) -> list[Entry]:
         """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
-        found: list[Entry] = []
+        entries: list[Entry] = []
         files = list(self._files())
         swept = {file.parent: sweep for file in files if file.name == _SWEPT and (sweep := self._swept(file))}
         for file in files:
             if file.name == _SWEPT and file.parent in swept:
-                found.append(swept[file.parent])
+                entries.append(swept[file.parent])
                 continue
             with contextlib.suppress(OSError):  # gone meanwhile, or nobody may look at it
                 kind = _kind(file)
@@ -116,10 +116,10 @@ class Project:
                     state = file.stat()
                     path = file.relative_to(self.root).as_posix()
                     is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
-                    found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
-            if len(found) == _MOST:
+                    entries.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
+            if len(entries) == _MOST:
                 break
-        return found
+        return entries
 
     def _swept(self, manifest: Path) -> Entry | None:
         """Give the folder of a sweep, with how far it is where that can be read; none for the project itself."""
@@ -131,8 +131,8 @@ class Project:
         finished: int | None = None
         count: int | None = None
         try:
-            kept = read_kept(folder)
-            finished, count = len(kept.names()), len(kept.spans)
+            sweep = read_kept(folder)
+            finished, count = len(sweep.names()), len(sweep.spans)
         except (OSError, ValueError, JounceError):
             pass  # opened, it says why
         size, modified = _extent(folder)
@@ -173,25 +173,25 @@ class Project:
         """What a description was before it was written anew from here, the newest first."""
         return [
             Version(f"{path}@{name}", float(name.partition("-")[0]) / 1000.0)
-            for name in reversed(_versions(self._kept(self.inside(path))))
+            for name in reversed(_versions(self._versions_of(self.inside(path))))
         ]
 
     def version(self, name: str) -> tuple[str, str]:
         """Give path and text of an earlier version by its name, ``path@version``."""
         path, _, version = name.rpartition("@")
-        place = self._kept(self.inside(path))
+        place = self._versions_of(self.inside(path))
         if _VERSION.fullmatch(version):
             with contextlib.suppress(OSError, ValueError):  # gone, or none of ours
                 return path, content(place / f"{version}.toml", LONGEST).decode()
-        known = [one.name for one in self.versions(path)]
+        known = [version.name for version in self.versions(path)]
         raise DescriptionError("no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none")
 
-    def _kept(self, file: Path) -> Path:
+    def _versions_of(self, file: Path) -> Path:
         return self.own(_VERSIONS, *file.relative_to(self.root).parts)
 
     def _keep(self, file: Path, written: bytes) -> None:
         """Keep what a description was before it is written anew, as the newest, whatever the clock says."""
-        folder = self._kept(file)
+        folder = self._versions_of(file)
         folder.mkdir(parents=True, exist_ok=True)
         known = _versions(folder)
         with contextlib.suppress(OSError, ValueError):
@@ -232,11 +232,11 @@ def _extent(folder: Path) -> tuple[int, float]:
         if not waiting:
             break
         with contextlib.suppress(OSError):  # a sweep that runs renames what it has written
-            one = waiting.pop()
-            state = one.lstat()
+            path = waiting.pop()
+            state = path.lstat()
             modified = max(modified, state.st_mtime)
             if S_ISDIR(state.st_mode):
-                waiting += one.iterdir()
+                waiting += path.iterdir()
             elif S_ISREG(state.st_mode):
                 size += state.st_size
     return size, modified
@@ -244,7 +244,7 @@ def _extent(folder: Path) -> tuple[int, float]:
 
 def _versions(folder: Path) -> list[str]:
     """Names of the versions in a folder, the oldest first."""
-    names = (one.stem for one in folder.glob("*.toml") if _VERSION.fullmatch(one.stem))
+    names = (file.stem for file in folder.glob("*.toml") if _VERSION.fullmatch(file.stem))
     return sorted(names, key=lambda name: int(name.partition("-")[0]))
 
 

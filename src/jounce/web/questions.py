@@ -24,19 +24,19 @@ def answer(question: Mapping[str, Any]) -> int:
         if question["kind"] == "levels":
             from jounce.web.levels import write_levels
 
-            found = write_levels(Path(question["file"]), Path(question["folder"]))
+            reply = write_levels(Path(question["file"]), Path(question["folder"]))
         elif question["kind"] == "overlay":
             from jounce.web.rides import overlaid
 
-            found = overlaid(question)
+            reply = overlaid(question)
         elif question["kind"] == "swept":
             from jounce.web.project import Project
             from jounce.web.studies import swept
 
-            found = swept(Project(question["root"]), question["folder"])
+            reply = swept(Project(question["root"]), question["folder"])
         else:
-            found = preview(question)
-        sys.stdout.write(to_json(for_page(to_plain(found))))
+            reply = preview(question)
+        sys.stdout.write(to_json(for_page(to_plain(reply))))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
         known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
         plain = {"message": known.message(), "what": known.what, "where": known.where, "hint": known.hint or None}
@@ -56,17 +56,21 @@ def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
     file = Path(asked["files"][0])
     table = read_signals(file, ReaderOptions(asked["variable"]))
     columns = [
-        {"name": one.written or one.name, "unit": one.unit, **_ends(one.values if one.part is None else one.part[1])}
+        {
+            "name": column.written or column.name,
+            "unit": column.unit,
+            **_ends(column.values if column.part is None else column.part[1]),
+        }
         for part in table.tables
-        for one in part
+        for column in part
     ]
-    found: dict[str, Any] = {"columns": columns[:_MOST_COLUMNS], "more": max(0, len(columns) - _MOST_COLUMNS)}
+    answer: dict[str, Any] = {"columns": columns[:_MOST_COLUMNS], "more": max(0, len(columns) - _MOST_COLUMNS)}
     try:
         read = _force_deflection if asked["form"] == "force-deflection" else _recording
         shown, findings = read(file, asked)
     except JounceError as error:
-        return found | {"problem": error.message(), "findings": [], "content": None, "points": None}
-    return found | {"problem": None, "findings": to_plain(findings)} | shown
+        return answer | {"problem": error.message(), "findings": [], "content": None, "points": None}
+    return answer | {"problem": None, "findings": to_plain(findings)} | shown
 
 
 def _recording(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
@@ -79,7 +83,7 @@ def _recording(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], li
     record, findings = read_recording(file, variable=asked["variable"], **given)
     record = compression_positive(record, asked["stroke_positive"] or None, asked["force_positive"] or None)
     blocks = curve_blocks({"": {file.name: record}})
-    return {"content": live_data([one for one in blocks if isinstance(one, Viewer)]), "points": None}, findings
+    return {"content": live_data([block for block in blocks if isinstance(block, Viewer)]), "points": None}, findings
 
 
 def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
@@ -87,9 +91,9 @@ def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, A
     from jounce.identify.signs import sign_of
     from jounce.recordings.formats import TableFormat
 
-    told = TableFormat(columns=asked["columns"], variable=asked["variable"])
+    table_format = TableFormat(columns=asked["columns"], variable=asked["variable"])
     trials, findings = read_force_deflection(
-        [file], told, asked["stroke_positive"] or None, asked["force_positive"] or None
+        [file], table_format, asked["stroke_positive"] or None, asked["force_positive"] or None
     )
     deflection, force = trials[0].arrays()
     deflection = deflection * sign_of(asked["stroke_positive"] or None, "stroke")

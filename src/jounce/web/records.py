@@ -60,10 +60,10 @@ class Records:
 
     def ways(self, path: str, about: Mapping[str, Any], channels: Sequence[str]) -> dict[str, Any]:
         """The same in Python and on the command line, which read known channels with a unit of theirs only."""
-        every = {one["name"]: one["unit"] for one in about["channels"]}
-        read = [one for one in channels if _is_known(one) and _is_of(one, every[one])]
-        wrong = [one for one in every if (_is_known(one) and not _is_of(one, every[one])) or " #" in one]
-        others = [*wrong, *(one for one in channels if one not in read and one not in wrong)]
+        every = {channel["name"]: channel["unit"] for channel in about["channels"]}
+        read = [name for name in channels if _is_known(name) and _is_of(name, every[name])]
+        wrong = [name for name in every if (_is_known(name) and not _is_of(name, every[name])) or " #" in name]
+        others = [*wrong, *(name for name in channels if name not in read and name not in wrong)]
         python, command = "import jounce as jn\n\n", ""
         if others:
             python += f"# no known channels, or not of their unit, to be mapped with columns={{...}}: {others!r}\n"
@@ -94,12 +94,12 @@ def _fingerprint(file: Path) -> str:
     so pieces of the content count, too, evenly spread from the first byte to the last.
     """
     state = state_of(file)
-    found, last = sha256(f"{file}\0{state}".encode(errors="surrogatepass")), max(0, state[1] - _PIECE)
+    digest, last = sha256(f"{file}\0{state}".encode(errors="surrogatepass")), max(0, state[1] - _PIECE)
     with file.open("rb") as stream:
         for place in dict.fromkeys(last * k // (_PIECES - 1) for k in range(_PIECES)):
             stream.seek(place)
-            found.update(stream.read(_PIECE))
-    return found.hexdigest()[:24]
+            digest.update(stream.read(_PIECE))
+    return digest.hexdigest()[:24]
 
 
 def _is_known(name: str) -> bool:

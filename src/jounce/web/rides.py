@@ -25,18 +25,18 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
     from jounce.report.recordings import curve_viewer
     from jounce.web.spectra import spectra_of
 
-    found: dict[str, Ride] = {}
+    rides: dict[str, Ride] = {}
     failed: dict[str, str] = {}
-    for one, label in zip(asked["rides"], labels(asked["rides"]), strict=True):
+    for ride, label in zip(asked["rides"], labels(asked["rides"]), strict=True):
         try:
-            found[label] = _driven(one)
+            rides[label] = _simulate_ride(ride)
         except JounceError as error:
             failed[label] = error.message()
-    if not found:
+    if not rides:
         raise DescriptionError(
             Phrase("none of them could be driven: {values}", values="; ".join(failed.values())), where="rides"
         )
-    runs, notes = alike({label: ride.settled for label, ride in found.items()})
+    runs, notes = alike({label: ride.evaluated_run for label, ride in rides.items()})
     spectra = spectra_of(runs, shortest=_SHORTEST)
     viewers = [
         curve_viewer({"": curves}, _first(curves), name=name) for name, curves in (("time", runs), ("spectra", spectra))
@@ -44,7 +44,7 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
     return {"content": live_data(viewers), "notes": notes, "failed": failed}
 
 
-def _driven(asked: Mapping[str, Any]) -> Ride:
+def _simulate_ride(asked: Mapping[str, Any]) -> Ride:
     import jounce as jn
     from jounce.ride.study import iso_trial, road_trial
     from jounce.roads.loading import class_and_seed, is_class
@@ -72,19 +72,19 @@ def labels(rides: Sequence[Mapping[str, Any]]) -> list[str]:
     >>> labels([one, one | {"control": "skyhook", "speed": "30 m/s"}])
     ['a, passive, 20 m/s', 'a, skyhook, 30 m/s']
     """
-    apart = [name for name in ("road", "speed", "duration", "seed") if len({str(one.get(name)) for one in rides}) > 1]
-    found: list[str] = []
-    for one in rides:
-        changes = (f"{path} = {value}" for path, value in one["changes"].items())
+    apart = [name for name in ("road", "speed", "duration", "seed") if len({str(ride.get(name)) for ride in rides}) > 1]
+    texts: list[str] = []
+    for ride in rides:
+        changes = (f"{path} = {value}" for path, value in ride["changes"].items())
         words = [
-            one["vehicle"].removesuffix(".toml"),
-            one["control"],
-            *(str(one[name]) for name in apart if one[name]),
+            ride["vehicle"].removesuffix(".toml"),
+            ride["control"],
+            *(str(ride[name]) for name in apart if ride[name]),
             *changes,
         ]
         text = ", ".join(words)
-        found.append(text if text not in found else f"{text} ({len(found) + 1})")
-    return found
+        texts.append(text if text not in texts else f"{text} ({len(texts) + 1})")
+    return texts
 
 
 def alike(runs: Mapping[str, xr.Dataset]) -> tuple[dict[str, xr.Dataset], list[str]]:
@@ -97,21 +97,21 @@ def alike(runs: Mapping[str, xr.Dataset]) -> tuple[dict[str, xr.Dataset], list[s
     if len(set(kinds.values())) == 1:
         return dict(runs), []
     place = "front_left" if max(kinds.values()) == 4 else "front"
-    found, notes = {}, []
+    aligned, notes = {}, []
     for label, run in runs.items():
         names = [str(name) for name in run.data_vars]
         if kinds[label] == 1:
             body = {f"body.{name[7:]}": run[name].assign_attrs(long_name="") for name in names if name[:7] == "sprung."}
-            found[label] = run.rename({name: f"{place}.{name}" for name in names}).assign(body)
+            aligned[label] = run.rename({name: f"{place}.{name}" for name in names}).assign(body)
             notes.append(f"{label}: it has one corner, which is drawn as {place}, its sprung mass as the body, too.")
         elif kinds[label] == 2 and place == "front_left":
             sides = {"front": "front_left", "rear": "rear_left"}
             parts = {name: name.partition(".") for name in names}
-            found[label] = run.rename({name: f"{sides.get(a, a)}{dot}{b}" for name, (a, dot, b) in parts.items()})
+            aligned[label] = run.rename({name: f"{sides.get(a, a)}{dot}{b}" for name, (a, dot, b) in parts.items()})
             notes.append(f"{label}: its axles are drawn as left corners.")
         else:
-            found[label] = run
-    return found, notes
+            aligned[label] = run
+    return aligned, notes
 
 
 def _corners(run: xr.Dataset) -> int:
@@ -123,6 +123,6 @@ def _corners(run: xr.Dataset) -> int:
 
 def _first(runs: Mapping[str, xr.Dataset]) -> list[str]:
     """Name what is looked at first, of what all of them hold."""
-    held = [name for name in map(str, next(iter(runs.values())).data_vars) if all(name in one for one in runs.values())]
-    found = [next((name for end in ends for name in held if name.endswith(end)), "") for ends in _FIRST]
-    return [name for name in found if name] or held[:1]
+    held = [name for name in map(str, next(iter(runs.values())).data_vars) if all(name in run for run in runs.values())]
+    candidates = [next((name for end in ends for name in held if name.endswith(end)), "") for ends in _FIRST]
+    return [name for name in candidates if name] or held[:1]

@@ -37,7 +37,7 @@ PROTOCOL = "jounce"
 """What a socket of the page offers, and the token behind it: a browser lets it send no header of its own."""
 
 
-def sealed(token: str, address: str) -> str:
+def seal_address(token: str, address: str) -> str:
     """Give an address (path and query) that is answered without the token; nobody else can make one."""
     key = hmac.new(token.encode(), address.encode(), "sha256").hexdigest()
     return f"{address}{'&' if '?' in address else '?'}key={key}"
@@ -86,7 +86,7 @@ class Guard:
         scheme, _, given = headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer":
             return self._is_token(given.strip())
-        offered = [one.strip() for one in headers.get("sec-websocket-protocol", "").split(",")]
+        offered = [protocol.strip() for protocol in headers.get("sec-websocket-protocol", "").split(",")]
         return len(offered) == 2 and offered[0] == PROTOCOL and self._is_token(offered[1])
 
     def _is_sealed(self, scope: Mapping[str, Any]) -> bool:
@@ -94,7 +94,7 @@ class Guard:
             return False
         asked = b"?".join((scope.get("raw_path") or scope["path"].encode(), scope["query_string"])).decode("latin-1")
         address, _, _ = asked.rpartition("key=")
-        return secrets.compare_digest(asked.encode(), sealed(self.token, address[:-1]).encode())
+        return secrets.compare_digest(asked.encode(), seal_address(self.token, address[:-1]).encode())
 
     def _is_token(self, given: str) -> bool:
         return secrets.compare_digest(given.encode(), self.token.encode())
@@ -119,7 +119,7 @@ def _with_headers(send: Any) -> Any:
             own = list(message.get("headers", []))  # a report says more narrowly what it may do
             said = {name.lower() for name, _ in own}
             every = ((name.encode(), value.encode()) for name, value in HEADERS.items())
-            message["headers"] = [*own, *(one for one in every if one[0].lower() not in said)]
+            message["headers"] = [*own, *(header for header in every if header[0].lower() not in said)]
         await send(message)
 
     return sending

@@ -158,15 +158,15 @@ def _usual(folder: Path | str) -> socket.socket:
 
 def _listening(port: int) -> socket.socket:
     # Named as TCP, connections send at once; else a kept one waits 40 ms for the other side's word after each packet.
-    found = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if sys.platform != "win32":  # one that was ended a moment ago left its port with connections that fade out
-        found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        found.bind(("127.0.0.1", port))
+        listener.bind(("127.0.0.1", port))
     except (OSError, OverflowError) as error:
-        found.close()
+        listener.close()
         what = "no such port" if isinstance(error, OverflowError) else "the port cannot be had"
         hint = "Choose another port, or none: a free one is taken then."
         raise OutputError(what, where="--port", found=port, allowed="0 to 65535", hint=hint) from None
-    found.listen(64)
-    return found
+    listener.listen(64)
+    return listener

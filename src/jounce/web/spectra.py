@@ -35,7 +35,7 @@ def _spectra(run: xr.Dataset, shortest: float | None) -> xr.Dataset:
     duration = float(time[-1] - time[0])
     rate = (len(time) - 1) / duration
     segment = 0.999 * duration if shortest is None else min(max(duration / 8.0, shortest), duration / 2.0)
-    found, frequency = {}, np.zeros(0)
+    spectra, frequency = {}, np.zeros(0)
     for name in run.data_vars:
         values = run.variables[name]
         if values.dims != ("time",) or values.dtype.kind != "f":
@@ -45,15 +45,15 @@ def _spectra(run: xr.Dataset, shortest: float | None) -> xr.Dataset:
             spectrum = power_spectrum(signal, rate, segment=segment)
         except JounceError:  # a channel with gaps has none
             continue
-        kept = spectrum.frequency <= _HIGHEST
-        frequency = spectrum.frequency[kept]
+        inside = spectrum.frequency <= _HIGHEST
+        frequency = spectrum.frequency[inside]
         unit = display_unit(str(values.attrs.get("units", "1")))
         words = f"{values.attrs.get('long_name', name)}, root of the power spectral density"
         label = f"{unit.name or 1}/√Hz"
-        found[str(name)] = (
+        spectra[str(name)] = (
             "frequency",
-            unit.factor * np.sqrt(spectrum.density[kept]),
+            unit.factor * np.sqrt(spectrum.density[inside]),
             {"units": label, "long_name": words},
         )
     axis = ("frequency", frequency, {"units": "Hz", "long_name": "frequency"})
-    return xr.Dataset(found, coords={"frequency": axis})
+    return xr.Dataset(spectra, coords={"frequency": axis})

@@ -63,17 +63,17 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
     from jounce.variants.summary import summarise
 
     place = project.inside(folder)
-    kept = read_kept(place)
+    sweep = read_kept(place)
     try:
         data = load_sweep(place, channels=False)
     except Exception as error:  # noqa: BLE001 - whatever a foreign file does, it is told
         raise unforeseen(error, folder) from None
     if "variant" not in data.dims:
-        return {"count": kept.count, "finished": 0, "columns": [], "variants": [], "summary": None, "run": None}
+        return {"count": sweep.count, "finished": 0, "columns": [], "variants": [], "summary": None, "run": None}
     finished = data.sizes["variant"]
     rows = np.unique(np.linspace(0, finished - 1, min(finished, _MOST_ROWS)).round().astype(int))
     numbers, columns = numbers_of(data), []
-    has_metrics = any(one.dims == ("variant",) and one.dtype.kind in "fi" for one in data.data_vars.values())
+    has_metrics = any(values.dims == ("variant",) and values.dtype.kind in "fi" for values in data.data_vars.values())
     for name in (*numbers, *(metrics_of(data) if has_metrics else ())):
         values = data[name].to_numpy()
         finite = values[np.isfinite(values)]
@@ -81,10 +81,10 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
         shown = [None if not np.isfinite(value) else float(value) * unit.factor for value in values[rows]]
         about = {"name": name, "unit": unit.name, "factor": unit.factor, "is_number": name in numbers}
         columns.append({**about, "values": shown})
-    variants = [int(one) for one in data["variant"].to_numpy()[rows]]
+    variants = [int(number) for number in data["variant"].to_numpy()[rows]]
     plain = to_plain(summarise(data))
-    return {"count": kept.count, "finished": finished, "columns": columns, "variants": variants, "summary": plain,
-            "run": _run(project, place, str(kept.about.get("command", "")))}  # fmt: skip
+    return {"count": sweep.count, "finished": finished, "columns": columns, "variants": variants, "summary": plain,
+            "run": _run(project, place, str(sweep.about.get("command", "")))}  # fmt: skip
 
 
 def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:

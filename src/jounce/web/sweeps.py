@@ -72,7 +72,7 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
         runs = {label: _run(rig, asked) for label, rig in rigs.items()}
     first = next(iter(rigs.values()))
     viewer = curve_viewer({"": runs}, list(asked.channels) or None, rig=first)
-    wanted = [*_studied(project, asked.study), *asked.targets]
+    wanted = [*_study_targets(project, asked.study), *asked.targets]
     more = {
         "digest": digest_of(rigs["as it is"]),
         "centres": _centres(next(iter(runs.values())), viewer),
@@ -88,13 +88,13 @@ def _run(rig: Rig, asked: Question) -> xr.Dataset:
     if asked.over == "rack":
         return jn.sweep_rack(rig, asked.rack, asked.travel or 0.0, points=True)
     if asked.over == "roll":
-        return _rolled(rig, asked.roll, asked.rack or 0.0)
+        return _sweep_roll(rig, asked.roll, asked.rack or 0.0)
     return jn.sweep_travel(
         rig, asked.travel, to_si(asked.rack, "m", where="rack travel") if asked.rack else None, points=True
     )
 
 
-def _rolled(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
+def _sweep_roll(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
     """An axle that rolls, with the places of the left wheel's points against the body."""
     import jounce as jn
 
@@ -133,13 +133,13 @@ def _centres(run: xr.Dataset, viewer: Viewer) -> dict[str, Any] | None:
     }
 
 
-def _pairs(one: Array, other: Array) -> list[list[float] | None]:
+def _pairs(first: Array, other: Array) -> list[list[float] | None]:
     """Places in mm; none where arms are parallel."""
-    pairs = 1e3 * np.stack([one, other], axis=1)
+    pairs = 1e3 * np.stack([first, other], axis=1)
     return [np.round(pair, 2).tolist() if np.isfinite(pair).all() else None for pair in pairs]
 
 
-def _studied(project: Project, study: str) -> list[Mapping[str, Any]]:
+def _study_targets(project: Project, study: str) -> list[Mapping[str, Any]]:
     """Targets of a study file of the project."""
     if not study:
         return []
@@ -148,8 +148,8 @@ def _studied(project: Project, study: str) -> list[Mapping[str, Any]]:
     from jounce.design.kinematic_study import SCHEMA, KinematicStudy
 
     with only_below(project.root):
-        found, _ = read_description(KinematicStudy, project.inside(study), SCHEMA)
-    return [target.model_dump(exclude_none=True) for target in found.target if target.rig is None]
+        description, _ = read_description(KinematicStudy, project.inside(study), SCHEMA)
+    return [target.model_dump(exclude_none=True) for target in description.target if target.rig is None]
 
 
 def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer) -> list[dict[str, Any]]:
@@ -162,21 +162,21 @@ def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: V
 
     wanted = read_targets({"": check_corner(rig)}, [KinematicTarget(**target) for target in targets], {})
     panes = {pane.name: pane for pane in viewer.scenes[0].panes}
-    found = []
-    for one in wanted:
-        pane = panes.get(one.quantity)
-        if one.along == over and pane is not None and not one.text.slope:
-            found.append(_band(one, pane, viewer.unit))
-    return found
+    bands = []
+    for target in wanted:
+        pane = panes.get(target.quantity)
+        if target.along == over and pane is not None and not target.text.slope:
+            bands.append(_band(target, pane, viewer.unit))
+    return bands
 
 
-def _band(one: Wanted, pane: Pane, along: str) -> dict[str, Any]:
-    unit = 1.0 if pane.unit in ("", one.unit) else to_si(f"1 {pane.unit}", one.unit)
-    axis = 1.0 if not along else to_si(f"1 {along}", "rad" if one.along == "roll" else "m")
-    low, high = ((end + by * one.tolerance) / unit for end, by in ((one.low, -1.0), (one.high, 1.0)))
+def _band(target: Wanted, pane: Pane, along: str) -> dict[str, Any]:
+    unit = 1.0 if pane.unit in ("", target.unit) else to_si(f"1 {pane.unit}", target.unit)
+    axis = 1.0 if not along else to_si(f"1 {along}", "rad" if target.along == "roll" else "m")
+    low, high = ((end + by * target.tolerance) / unit for end, by in ((target.low, -1.0), (target.high, 1.0)))
     return {
-        "quantity": one.quantity,
-        "at": (one.at / axis).tolist(),
+        "quantity": target.quantity,
+        "at": (target.at / axis).tolist(),
         "low": [float(value) if np.isfinite(value) else None for value in low],
         "high": [float(value) if np.isfinite(value) else None for value in high],
     }

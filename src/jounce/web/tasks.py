@@ -187,16 +187,16 @@ class OverlayTask(_Task):
     def _doing(self, project: Project) -> Doing:
         from jounce.web.rides import labels
 
-        names = labels([one.model_dump() for one in self.rides])
+        names = labels([ride.model_dump() for ride in self.rides])
         python, commands = "import jounce as jn\n\nrides = {}\n", []
-        for k, (one, name) in enumerate(zip(self.rides, names, strict=True), 1):
-            request = one._request(project, "ride", [one.control])
+        for k, (ride, name) in enumerate(zip(self.rides, names, strict=True), 1):
+            request = ride._request(project, "ride", [ride.control])
             python += f"rides[{name!r}] = {request.expression()}.rides[0]\n"
             commands.append(command_line(["jounce", *request.words(), f"--out=ride-{k}.nc"]))
-        python += "runs = {name: ride.settled for name, ride in rides.items()}\n"
+        python += "runs = {name: ride.evaluated_run for name, ride in rides.items()}\n"
         python += "spectra = {name: ride.spectra() for name, ride in rides.items()}\n"
         if (
-            len({type(rig_of(project, one.vehicle)) for one in self.rides}) == 1
+            len({type(rig_of(project, ride.vehicle)) for ride in self.rides}) == 1
         ):  # which have channels of the same names
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
@@ -330,7 +330,7 @@ class _Reading(_Task):
     force_positive: Literal["", "compression", "tension"] = ""
 
     def _words(self, project: Project, *more: str) -> list[str]:
-        words = [_file(project, one) for one in self.files]
+        words = [_file(project, file) for file in self.files]
         words += [f"--columns={name}={column}" for name, column in self.columns.items()]
         for name in ("variable", "stroke_positive", *more):
             words += [f"--{name.replace('_', '-')}={getattr(self, name)}"] if getattr(self, name) else []
@@ -414,7 +414,7 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
         return _READ.validate_python(dict(plain))
     except ValidationError as error:
         first = error.errors()[0]
-        place = ".".join(("job", *(str(one) for one in first["loc"])))
+        place = ".".join(("job", *(str(part) for part in first["loc"])))
         raise DescriptionError("this says nothing of a job", where=place, found=first["msg"]) from None
 
 

@@ -27,10 +27,10 @@ def content(file: Path, most: int) -> bytes:
     # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
     with os.fdopen(os.open(file, flags), "rb") as stream:
-        found = os.fstat(stream.fileno())
-        if not stat.S_ISREG(found.st_mode):
+        status = os.fstat(stream.fileno())
+        if not stat.S_ISREG(status.st_mode):
             raise FileNotFoundError(file)
-        if found.st_size > most:
+        if status.st_size > most:
             raise ValueError(f"more than {most} bytes")
         return stream.read(most)
 
@@ -51,8 +51,8 @@ def mark(file: Path) -> None:
 
 def plain_json(text: bytes | str) -> Any:
     """Read JSON that is not deep, of finite numbers and of texts that can be written as UTF-8; else ValueError."""
-    found = from_json(text, allow_inf_nan=False)
-    waiting = [(found, 0)]
+    plain = from_json(text, allow_inf_nan=False)
+    waiting = [(plain, 0)]
     while waiting:
         value, depth = waiting.pop()
         if (isinstance(value, float) and math.isinf(value)) or (isinstance(value, int) and abs(value) > _GREATEST):
@@ -60,5 +60,5 @@ def plain_json(text: bytes | str) -> Any:
         if isinstance(value, (dict, list)):
             if depth == _DEEPEST:
                 raise ValueError(f"more than {_DEEPEST} lists and objects within each other")
-            waiting += [(one, depth + 1) for one in (value.values() if isinstance(value, dict) else value)]
-    return found
+            waiting += [(child, depth + 1) for child in (value.values() if isinstance(value, dict) else value)]
+    return plain

@@ -33,7 +33,7 @@ _TRIALS = 50
 _MOST_STEPS = 400  # of a search that are kept
 
 
-def _held(file: Path) -> bool:
+def _hold(file: Path) -> bool:
     """Hold a file until this process ends, as soon as whoever asks whether it is held has let it go."""
     for _ in range(_TRIALS):
         if hold(file) is not None:
@@ -49,7 +49,7 @@ def put(file: Path, plain: Mapping[str, Any]) -> None:
     temporary.replace(file)
 
 
-def _ended(code: int) -> dict[str, Any]:
+def _end_record(code: int) -> dict[str, Any]:
     return {"code": code, "ended": time.time(), "clock": time.monotonic()}
 
 
@@ -97,7 +97,7 @@ def _stop_when_wanted(folder: Path) -> None:
         time.sleep(_LOOKS)
     signal.raise_signal(signal.SIGINT) if sys.platform == "win32" else os.kill(os.getpid(), signal.SIGINT)
     time.sleep(_PATIENCE)
-    put(folder / END, _ended(130))
+    put(folder / END, _end_record(130))
     if sys.platform != "win32" and os.getpgrp() == os.getpid():
         os.killpg(os.getpgrp(), signal.SIGKILL)
     os._exit(130)
@@ -105,13 +105,13 @@ def _stop_when_wanted(folder: Path) -> None:
 
 def work(folder: Path) -> int:
     """Do the job of a folder; give the exit code of its command."""
-    if not _held(folder / ALIVE):  # another process does it
+    if not _hold(folder / ALIVE):  # another process does it
         return 2
     job = json.loads((folder / JOB).read_text(encoding="utf-8"))
     signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell may have told to ignore it
     threading.Thread(target=_stop_when_wanted, args=(folder,), daemon=True).start()
     os.chdir(job["root"])
-    told = _Told(folder / PROGRESS)
+    progress = _Told(folder / PROGRESS)
     code = 1
     try:
         from jounce.core.files import always_below
@@ -131,7 +131,7 @@ def work(folder: Path) -> int:
             from jounce.core.waiting import watched_by
 
             sys.argv = ["jounce", *job["words"]]  # which results keep
-            with followed_by(told.follow), watched_by(told.watch):
+            with followed_by(progress.follow), watched_by(progress.watch):
                 code = main([*job["words"], *job["own"], "--json"])
     except KeyboardInterrupt:
         code = 130
@@ -139,8 +139,8 @@ def work(folder: Path) -> int:
         sys.stderr.write("jounce: it takes more memory than is allowed here.\n")
     finally:
         sys.stdout.flush()
-        told.write(last=True)
-        put(folder / END, _ended(code))
+        progress.write(last=True)
+        put(folder / END, _end_record(code))
     return code
 
 

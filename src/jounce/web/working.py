@@ -19,7 +19,7 @@ from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
 from jounce.variants.shards import read_kept
 from jounce.web.bodies import Route
-from jounce.web.campaigns import Use, entered, overview
+from jounce.web.campaigns import Use, enter_file, overview
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.safety import PROTOCOL
@@ -71,26 +71,26 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     router = APIRouter(route_class=Route)
     pages: OrderedDict[str, str] = OrderedDict()
 
-    def told(state: dict[str, Any]) -> dict[str, Any]:
+    def with_report(state: dict[str, Any]) -> dict[str, Any]:
         return {**state, "report": seal(f"/api/jobs/{state['id']}/report")}
 
     @router.get("/api/jobs")
     def every() -> list[dict[str, Any]]:
         """How every job is, the newest first."""
-        return [told(state) for state in jobs.all()]
+        return [with_report(state) for state in jobs.all()]
 
     @router.post("/api/jobs")
     def begin(asked: Asked) -> dict[str, Any]:
         """Begin a job: a command in a process of its own."""
-        return told(jobs.begin(asked))
+        return with_report(jobs.begin(asked))
 
     @router.get("/api/jobs/{name}")
-    def one(name: str) -> dict[str, Any]:
+    def job(name: str) -> dict[str, Any]:
         """How a job is, and what its command gave."""
         state = jobs.state(name)
         finished = state["state"] == "done"
         return {
-            **told(state),
+            **with_report(state),
             "result": jobs.result(name) if finished else None,
             "has_page": jobs.page(name) is not None,
         }
@@ -98,12 +98,12 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.post("/api/jobs/{name}/cancel")
     def cancel(name: str) -> dict[str, Any]:
         """Ask a job to stop; what it has finished stays."""
-        return told(jobs.cancel(name))
+        return with_report(jobs.cancel(name))
 
     @router.post("/api/jobs/{name}/again")
     def again(name: str) -> dict[str, Any]:
         """Begin a job once more; a sweep goes on where it was stopped, what others wrote is replaced."""
-        return told(jobs.begin(jobs.again(name)))
+        return with_report(jobs.begin(jobs.again(name)))
 
     @router.delete("/api/jobs/{name}")
     def forget(name: str) -> dict[str, str]:
@@ -140,18 +140,18 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.post("/api/ask")
     def ask(asked: Asked) -> dict[str, Any]:
         """Have a command done that does not last, and wait for what it gives."""
-        found = jobs.ask(doing_of(asked, project))
-        text = found.pop("page")
+        answer = jobs.ask(doing_of(asked, project))
+        text = answer.pop("page")
         key = ""
         if text:
             key = secrets.token_hex(8)
             pages[key] = text
             while len(pages) > _MOST_PAGES:
                 pages.popitem(last=False)
-        return {**found, "report": seal(f"/api/reports/{key}") if key else ""}
+        return {**answer, "report": seal(f"/api/reports/{key}") if key else ""}
 
     @router.get("/api/reports/{key}")
-    def kept(key: str) -> Response:
+    def past_report(key: str) -> Response:
         """The report of a quick question, as long as it is kept."""
         if key not in pages:
             raise DescriptionError("the report is not kept any more", where="report", hint="Ask again.")
@@ -176,8 +176,8 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         """The variants of a sweep that are finished, with their statistics."""
         read_kept(project.inside(folder))
         question = {"kind": "swept", "root": str(project.root), "folder": folder}
-        found: dict[str, Any] = jobs.ask(Doing(f"Reading {folder}", [], limits=LIMITS, question=question))["result"]
-        return found
+        result: dict[str, Any] = jobs.ask(Doing(f"Reading {folder}", [], limits=LIMITS, question=question))["result"]
+        return result
 
     @router.get("/api/campaign")
     def campaign(path: str) -> dict[str, Any]:
@@ -187,7 +187,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.post("/api/campaign")
     def enter(asked: Entered) -> dict[str, Any]:
         """Write a measured file into a campaign, with how it is read."""
-        return entered(project, asked.campaign, asked.use, asked.fields)
+        return enter_file(project, asked.campaign, asked.use, asked.fields)
 
     @router.get("/api/choices")
     def choices() -> dict[str, list[str]]:

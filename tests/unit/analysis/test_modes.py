@@ -7,7 +7,7 @@ import pytest
 from two_masses import TwoMasses
 
 import jounce as jn
-from jounce.analysis.modes import held_poles, oscillating
+from jounce.analysis.modes import oscillating, poles_with_held_output
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.simulation.linear_model import linearise
 
@@ -102,7 +102,7 @@ def test_noise_has_no_modes() -> None:
 def test_a_held_wheel_leaves_the_body_on_its_spring() -> None:
     rig = jn.load("audi-a6-quarter-car")
     values = rig.parameters()
-    poles = held_poles(linearise(rig), "unsprung.z", "road.z")
+    poles = poles_with_held_output(linearise(rig), "unsprung.z", "road.z")
     ((frequency, ratio),) = oscillating(poles)
     rate, damper, mass = (values[name] for name in ("strut.spring.rate", "strut.damper.coefficient", "sprung.mass"))
     assert frequency == pytest.approx(np.sqrt(rate / mass) / (2.0 * np.pi), rel=1e-6)

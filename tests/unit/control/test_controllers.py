@@ -42,7 +42,7 @@ def test_every_controller_is_found_with_defaults(name: str) -> None:
     found = controller(name)
     assert found == CONTROLS[name].law.from_table(dict(CONTROLS[name].fields))
     assert CONTROLS[name].summary
-    low, high = found.resolved(CORNER).actuator.limits
+    low, high = found.complete_for(CORNER).actuator.limits
     assert low < high
 
 
@@ -50,7 +50,7 @@ def test_every_controller_is_found_with_defaults(name: str) -> None:
 def test_every_formula_has_all_its_numbers(name: str) -> None:
     if "h-infinity" in name:
         pytest.importorskip("slycot")
-    law = controller(name).resolved(CORNER)
+    law = controller(name).complete_for(CORNER)
     made = program(law, ("front", "rear"))
     numbers = values({"front": law, "rear": law}, {"front": CORNER, "rear": CORNER}, made.numbers)
     assert len(numbers) == made.function.size1_in(2)
@@ -60,11 +60,11 @@ def test_every_formula_has_all_its_numbers(name: str) -> None:
 
 
 def test_open_limits_come_from_the_corner() -> None:
-    assert SemiActiveDamper().resolved(CORNER).limits == pytest.approx((300.0, 4000.0))
-    assert ActiveActuator().resolved(CORNER).limits == pytest.approx((-1962.0, 1962.0))
+    assert SemiActiveDamper().complete_for(CORNER).limits == pytest.approx((300.0, 4000.0))
+    assert ActiveActuator().complete_for(CORNER).limits == pytest.approx((-1962.0, 1962.0))
     undamped = CornerModel(400.0, 40.0, 25e3, 200e3, 0.0)
     typical = 2.0 * 0.3 * math.sqrt(25e3 * 400.0)  # a damping ratio of 0.3
-    assert SemiActiveDamper().resolved(undamped).limits == pytest.approx((typical / 5.0, typical / 1500.0 * 4000.0))
+    assert SemiActiveDamper().complete_for(undamped).limits == pytest.approx((typical / 5.0, typical / 1500.0 * 4000.0))
 
 
 @pytest.mark.parametrize("parting", [-0.4, 0.3])
@@ -279,7 +279,7 @@ def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
         def product(self, now: Instant) -> object:
             return -now.seen("strut.deflection") * now.extension_rate
 
-    law = controller("power-driven", rate="500 Hz").resolved(CORNER)
+    law = controller("power-driven", rate="500 Hz").complete_for(CORNER)
     assert isinstance(law, PowerDriven)
     made = program(law, ("",))
     assert made.channels == ("strut.deflection", "strut.velocity")

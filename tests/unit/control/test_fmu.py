@@ -326,8 +326,12 @@ def test_a_force_keeps_to_the_fixed_step_of_its_fmu(tmp_path) -> None:
     step = '<CoSimulation modelIdentifier="component" fixedInternalStepSize="0.0003"/>'
     text = fmu_component.description(3, step=step)
     law = FmuControl(file=str(fmu_component.write(tmp_path / "a.fmu", 3, b"", text)), actuator=jn.ActiveActuator(lag=0))
-    assert [round(1.0 / law.paced(fastest).rate, 6) for fastest in (10.0, 80.0, 1e5)] == [0.0009, 0.0003, 0.0003]
-    assert law.model_copy(update={"rate": 50.0}).paced(80.0).rate == 50.0
+    assert [round(1.0 / law.with_rate_for(fastest).rate, 6) for fastest in (10.0, 80.0, 1e5)] == [
+        0.0009,
+        0.0003,
+        0.0003,
+    ]
+    assert law.model_copy(update={"rate": 50.0}).with_rate_for(80.0).rate == 50.0
 
 
 @pytest.mark.parametrize(

@@ -227,7 +227,7 @@ def test_limits_of_a_plan() -> None:
 
 
 def setting(law, road, instants=5):
-    laws = {name: law.resolved(CORNER) for name in ("front", "rear")}
+    laws = {name: law.complete_for(CORNER) for name in ("front", "rear")}
     return RunSetting(laws, dict.fromkeys(laws, CORNER), (), instants, road)
 
 

@@ -8,7 +8,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import AssemblyError, DescriptionError
 from jounce.design.adjustments import QUANTITIES, adjust_report, adjustment_findings, lengths_for, wheel_state
-from jounce.kinematics.adjustments import BLOCK_MASS, SETTINGS, adjusted, arm_length
+from jounce.kinematics.adjustments import BLOCK_MASS, SETTINGS, apply_adjustments, arm_length
 from jounce.parts.bodies import distance
 from jounce.parts.leverage import spring_force
 
@@ -33,7 +33,7 @@ def degrees(value):
 @pytest.mark.parametrize(("arm", "sign"), [("upper", 1.0), ("lower", -1.0)])
 def test_20_mm_of_an_arm_give_about_five_degrees_of_camber(arm, sign):
     """Domain A4: 20 mm at one arm, ball joints 228.6 mm apart: atan(20 / 228.6) = 5 deg; the tie rod turns it, too."""
-    rig = adjusted(KART, {f"{arm}_arm_length": "20 mm", "tie_rod_length": 0.0})
+    rig = apply_adjustments(KART, {f"{arm}_arm_length": "20 mm", "tie_rod_length": 0.0})
     assert degrees(rig.wheel.camber) == pytest.approx(sign * 5.0, abs=0.6)
     straight = lengths_for(KART, camber=f"{sign * 5.0} deg", toe="0 deg")
     assert 1e3 * getattr(straight, f"{arm}_arm_length") == pytest.approx(20.0, abs=1.2)
@@ -42,7 +42,7 @@ def test_20_mm_of_an_arm_give_about_five_degrees_of_camber(arm, sign):
 def test_20_mm_of_the_tie_rod_give_the_published_toe():
     """Domain A4: 20 mm at a steering arm with a base of 107.9 mm: 10.5 deg."""
     for sign in (1.0, -1.0):
-        rig = adjusted(KART, {"tie_rod_length": sign * 0.020})
+        rig = apply_adjustments(KART, {"tie_rod_length": sign * 0.020})
         assert degrees(rig.wheel.toe) == pytest.approx(sign * 10.5, abs=0.35)
 
 
@@ -59,7 +59,7 @@ def test_published_ranges():
 
 
 def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
-    rig = adjusted(KART, {"short_upper_arm": "150 mm"})
+    rig = apply_adjustments(KART, {"short_upper_arm": "150 mm"})
     assert rig.sprung.mass == pytest.approx(18.6)  # paper: 16 kg and 18.6 kg
     assert pytest.approx(2.6) == BLOCK_MASS
     assert arm_length(rig, "upper") == pytest.approx(0.150, rel=1e-12)
@@ -68,7 +68,7 @@ def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
     # a short upper arm swings the wheel's top in with bump, the more the shorter
     camber = [
         float(jn.sweep_travel(one, [0.02])["camber"][0])
-        for one in (KART, rig, adjusted(KART, {"short_upper_arm": "113 mm"}))
+        for one in (KART, rig, apply_adjustments(KART, {"short_upper_arm": "113 mm"}))
     ]
     assert camber[0] > camber[1] > camber[2]
     assert camber[2] < -np.radians(0.2)
@@ -89,7 +89,7 @@ CASES = [
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_upright_is_moved_as_a_rigid_body_and_rods_have_their_lengths(settings, side):
     rig = KART if side == "left" else KART.mirrored()
-    new = adjusted(rig, settings)
+    new = apply_adjustments(rig, settings)
     old_points, points = rig.hardpoints, new.hardpoints
     for one, other in PAIRS:
         before, after = (distance(getattr(p, one), getattr(p, other)) for p in (old_points, points))
@@ -113,31 +113,33 @@ def test_upright_is_moved_as_a_rigid_body_and_rods_have_their_lengths(settings, 
 
 def test_wheel_angles_are_those_of_the_moved_upright():
     """Kinematics of the adjusted rig start from the camber and toe of its description."""
-    rig = adjusted(KART.with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.5 deg"}), {"upper_arm_length": "7 mm"})
+    rig = apply_adjustments(
+        KART.with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.5 deg"}), {"upper_arm_length": "7 mm"}
+    )
     sweep = jn.sweep_travel(rig, [0.0])
     assert float(sweep["camber"][0]) == pytest.approx(rig.wheel.camber, abs=1e-12)
     assert float(sweep["toe"][0]) == pytest.approx(rig.wheel.toe, abs=1e-12)
 
 
 def test_sides_of_the_car_are_mirrors():
-    left = adjusted(KART, CASES[1])
-    right = adjusted(KART.mirrored(), CASES[1])
+    left = apply_adjustments(KART, CASES[1])
+    right = apply_adjustments(KART.mirrored(), CASES[1])
     mirrored = left.mirrored().parameters()
     assert right.parameters() == pytest.approx(mirrored, abs=1e-9)
 
 
 def test_spring_keeps_its_free_length_and_preload_follows():
     settings = {"upper_arm_length": "20 mm"}
-    free = adjusted(KART, settings)
+    free = apply_adjustments(KART, settings)
     assert free.strut.spring.free_length == KART.strut.spring.free_length
     by_preload = KART.with_changes({"strut.spring": {"rate": KART.strut.spring.rate, "preload": spring_force(KART)}})
-    other = adjusted(by_preload, settings)
+    other = apply_adjustments(by_preload, settings)
     assert spring_force(other) == pytest.approx(spring_force(free), rel=1e-9)
     assert jn.equilibrium(other)["sprung.z"] == pytest.approx(jn.equilibrium(free)["sprung.z"], abs=1e-9)
 
 
 def test_preload_is_the_force_at_design_length_and_lifts_the_body():
-    rig = adjusted(KART, {"spring_preload": "250 N"})
+    rig = apply_adjustments(KART, {"spring_preload": "250 N"})
     assert spring_force(rig) == pytest.approx(250.0, rel=1e-9)
     lift = jn.equilibrium(rig)["sprung.z"] - jn.equilibrium(KART)["sprung.z"]
     # domain A4: ride height shift = preload / rate, at the wheel; the wheel stays on its tyre
@@ -146,15 +148,15 @@ def test_preload_is_the_force_at_design_length_and_lifts_the_body():
 
 
 def test_wedges_turn_the_wheel_alone():
-    rig = adjusted(KART, {"camber_wedge": "-2 deg", "toe_wedge": "1 deg"})
+    rig = apply_adjustments(KART, {"camber_wedge": "-2 deg", "toe_wedge": "1 deg"})
     assert (degrees(rig.wheel.camber), degrees(rig.wheel.toe)) == pytest.approx((-2.0, 1.0))
     assert rig.hardpoints == KART.hardpoints
     assert rig.bodies == KART.bodies
 
 
 def test_nothing_set_is_nothing_changed():
-    assert adjusted(KART, {}) == KART
-    assert adjusted(KART, {"upper_arm_length": 0.0}) == KART
+    assert apply_adjustments(KART, {}) == KART
+    assert apply_adjustments(KART, {"upper_arm_length": 0.0}) == KART
 
 
 # --- reports and findings ------------------------------------------------------------------------------------------
@@ -223,7 +225,7 @@ def test_report_of_another_rig_says_what_it_cannot_have():
 )
 def test_lengths_reach_what_is_wished(camber, toe):
     found = lengths_for(KART, *(None if value is None else f"{value} deg" for value in (camber, toe)))
-    wheel = adjusted(KART, found.settings()).wheel
+    wheel = apply_adjustments(KART, found.settings()).wheel
     if camber is not None:
         assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
     if toe is not None:
@@ -236,7 +238,7 @@ def test_lengths_reach_what_is_wished(camber, toe):
 
 def test_lengths_of_a_car_are_found_too():
     found = lengths_for(REFERENCE, camber="-2 deg", toe="0.1 deg")
-    wheel = adjusted(REFERENCE, found.settings()).wheel
+    wheel = apply_adjustments(REFERENCE, found.settings()).wheel
     assert (degrees(wheel.camber), degrees(wheel.toe)) == pytest.approx((-2.0, 0.1), abs=1e-7)
 
 
@@ -251,7 +253,7 @@ def test_lengths_of_a_car_are_found_too():
 def test_lengths_of_other_suspensions(name, camber, toe, used):
     rig = jn.load(name)
     found = lengths_for(rig, *(None if value is None else f"{value} deg" for value in (camber, toe)))
-    wheel = adjusted(rig, found.settings()).wheel
+    wheel = apply_adjustments(rig, found.settings()).wheel
     assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
     assert used <= set(found.settings())
     assert len(found.settings()) == (1 if toe is None else 2)
@@ -285,7 +287,7 @@ def test_what_the_published_lengths_do_not_reach_is_refused_with_their_range(wis
 )
 def test_settings_that_cannot_be_made_are_refused(settings, message):
     with pytest.raises(DescriptionError, match=message):
-        adjusted(KART, settings)
+        apply_adjustments(KART, settings)
 
 
 def test_other_rigs_are_refused():
@@ -294,7 +296,7 @@ def test_other_rigs_are_refused():
     with pytest.raises(DescriptionError, match=r"no length of it sets camber.*wedges"):
         lengths_for(jn.load("semi-trailing-arm"), camber="-1 deg")
     with pytest.raises(DescriptionError, match=r"no such adjustment.*allowed: lower_arm_length, tie_rod_length"):
-        adjusted(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
+        apply_adjustments(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
 
 
 def test_nothing_wished_is_refused():
@@ -308,7 +310,7 @@ def test_a_linkage_that_does_not_go_together_is_refused_by_name():
     points = stretched.hardpoints
     assert distance(points.tie_rod_inner, points.tie_rod_outer) == pytest.approx(0.107)
     with pytest.raises(AssemblyError, match="cannot be assembled"):
-        adjusted(stretched, {"tie_rod_length": "-20 mm"})
+        apply_adjustments(stretched, {"tie_rod_length": "-20 mm"})
 
 
 # shims and rockers ----------------------------------------------------------------------------------------------------
@@ -330,10 +332,10 @@ def test_shims_and_rods_of_a_car_with_rockers_change_their_length_alone():
         ("pushrod_length", "pushrod_inner pushrod_outer", 0.004),
         ("tie_rod_length", "tie_rod_inner tie_rod_outer", -0.003),
     ):
-        after = lengths_of(adjusted(rig, {setting: longer}))
+        after = lengths_of(apply_adjustments(rig, {setting: longer}))
         for name, length in before.items():
             assert after[name] == pytest.approx(length + longer * (name == rod), abs=1e-10), (setting, name)
-    shimmed = adjusted(rig, {"camber_shim": "3 mm"})
+    shimmed = apply_adjustments(rig, {"camber_shim": "3 mm"})
     assert lengths_of(shimmed) == pytest.approx(before, abs=1e-10)  # every rod keeps its length
     # in the upright the ball joint has moved by the shim, along the wheel's axis, inwards
     bases, frames = [], []
@@ -346,16 +348,16 @@ def test_shims_and_rods_of_a_car_with_rockers_change_their_length_alone():
     camber = rig.wheel.camber
     assert moved == pytest.approx([0.0, -0.003 * np.cos(camber), 0.003 * np.sin(camber)], abs=1e-9)
     assert 0.9 < (shimmed.wheel.camber - camber) / (0.003 / 0.2) < 1.0  # 200 mm between joints, on arms that lean
-    high = adjusted(rig, {"pushrod_length": "4 mm"})
+    high = apply_adjustments(rig, {"pushrod_length": "4 mm"})
     assert wheel_state(high).ride_height > wheel_state(rig).ride_height + 2e-3  # a longer push rod lifts the car
 
 
 def test_a_rig_without_rocker_has_no_push_rod_to_set():
     with pytest.raises(jn.DescriptionError, match="no such adjustment"):
-        adjusted(KART, {"pushrod_length": "2 mm"})
+        apply_adjustments(KART, {"pushrod_length": "2 mm"})
     in_line = {"hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569], "hardpoints.rocker_axis": [0.1, 0.2361, 0.4569]}
     with pytest.raises(AssemblyError, match="cannot be assembled"):  # the rod points at the pivot: it cannot be shorter
-        adjusted(jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"})
+        apply_adjustments(jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"})
 
 
 # every suspension -----------------------------------------------------------------------------------------------------
@@ -370,14 +372,14 @@ def rod_lengths(rig) -> dict[str, float]:
 def test_shims_of_links_and_plates_change_what_they_say_and_nothing_else(side: str):
     links = jn.load("sedan-multi-link") if side == "left" else jn.load("sedan-multi-link").mirrored()
     before = rod_lengths(links)
-    longer = adjusted(links, {"link_2_length": "3 mm"})
+    longer = apply_adjustments(links, {"link_2_length": "3 mm"})
     for name, length in rod_lengths(longer).items():
         assert length == pytest.approx(before[name] + 3e-3 * (name == "link_2_inner"), abs=1e-10), name
-    shimmed = adjusted(links, {"camber_shim": "-2 mm"})
+    shimmed = apply_adjustments(links, {"camber_shim": "-2 mm"})
     assert rod_lengths(shimmed) == pytest.approx(before, abs=1e-10)
     assert -1.0 < degrees(shimmed.wheel.camber - links.wheel.camber) < -0.2  # the top of the wheel inwards
     strut = jn.load("generic-mcpherson") if side == "left" else jn.load("generic-mcpherson").mirrored()
-    plated = adjusted(strut, {"camber_plate": "-8 mm"})
+    plated = apply_adjustments(strut, {"camber_plate": "-8 mm"})
     assert rod_lengths(plated) == pytest.approx(rod_lengths(strut), abs=1e-10)
     moved = np.subtract(plated.hardpoints.strut_top, strut.hardpoints.strut_top)
     assert moved == pytest.approx([0.0, -8e-3 * strut.sign, 0.0], abs=1e-12)
@@ -394,7 +396,7 @@ def test_shims_of_links_and_plates_change_what_they_say_and_nothing_else(side: s
             angles.append(float(line @ edge / np.linalg.norm(line) / np.linalg.norm(edge)))
         assert angles[1] == pytest.approx(angles[0], abs=1e-10)
     arm = jn.load("semi-trailing-arm")
-    turned = adjusted(arm, {"camber_wedge": "-0.5 deg", "toe_wedge": "0.1 deg"})
+    turned = apply_adjustments(arm, {"camber_wedge": "-0.5 deg", "toe_wedge": "0.1 deg"})
     assert degrees(turned.wheel.camber - arm.wheel.camber) == pytest.approx(-0.5)
     assert turned.hardpoints == arm.hardpoints
 
@@ -442,7 +444,7 @@ def test_bars_and_third_springs_go_along(side: str):
     """The link of the bar keeps its length, the third spring's end stays on its arm, what is wound up is kept."""
     rig = KART.with_changes(BESIDE_STRUT)
     rig = rig if side == "left" else rig.mirrored()
-    new = adjusted(rig, {"lower_arm_support": "20 mm", "upper_arm_length": "5 mm"})
+    new = apply_adjustments(rig, {"lower_arm_support": "20 mm", "upper_arm_length": "5 mm"})
     assert new.wheel.camber != rig.wheel.camber
     for one, other in (
         ("arb_arm_end", "arb_link_end"),
@@ -462,4 +464,4 @@ def test_bars_and_third_springs_go_along(side: str):
     ends = [abs(r.hardpoints.third_spring_end[1]) for r in (rig, new)]
     assert new.third_spring.spring.preload == pytest.approx(10.0 - 2e3 * 2.0 * (ends[1] - ends[0]), abs=1e-9)
     with pytest.raises(AssemblyError, match="does not reach its arm"):
-        adjusted(rig.with_changes({"hardpoints.arb_arm_end[0]": -0.09}), {"lower_arm_support": "-30 mm"})
+        apply_adjustments(rig.with_changes({"hardpoints.arb_arm_end[0]": -0.09}), {"lower_arm_support": "-30 mm"})

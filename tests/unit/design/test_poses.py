@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.kinematics.moved_rigs import moved_rig, rigid_motion, rigs_along, spin_axis, wheel_angles
+from jounce.kinematics.moved_rigs import rig_with_hardpoints, rigid_motion, rigs_along, spin_axis, wheel_angles
 from jounce.parts.leverage import spring_force
 
 KART = jn.load("kart-double-wishbone")
@@ -119,7 +119,7 @@ def test_poses_out_of_reach_are_refused():
 
 
 def test_nothing_moved_is_nothing_changed():
-    same = moved_rig(KART, {})
+    same = rig_with_hardpoints(KART, {})
     assert same.parameters() == pytest.approx(KART.parameters(), rel=1e-12, abs=1e-15)
 
 

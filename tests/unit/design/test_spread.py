@@ -22,7 +22,7 @@ def test_the_band_of_one_part_is_its_spread_times_its_effect() -> None:
     made = {"exact": {"tie_rod_inner length": tolerance}, "cars": 40, "seed": 3}
     found = jn.kinematic_spread(rig, [TOE, RATIO], made)
     step = 1e-4
-    ends = [jn.adjusted(rig, {"tie_rod_length": sign * step}) for sign in (-1.0, 1.0)]
+    ends = [jn.apply_adjustments(rig, {"tie_rod_length": sign * step}) for sign in (-1.0, 1.0)]
     effect = (ends[1].wheel.toe - ends[0].wheel.toe) / (2.0 * step)  # rad/m, by the adjustments' own assembly
     drawn = np.random.default_rng(3).standard_normal((40, _sources(rig)))
     lengths = drawn[:, _index_of_tie_rod(rig)] * tolerance / 2.0

@@ -14,7 +14,7 @@ import pytest
 import jounce as jn
 from jounce.control.fmu.platforms import this_platform
 from jounce.core.errors import OutputError
-from jounce.exchange.expressions import LATEX, PYTHON, identifiers, written
+from jounce.exchange.expressions import LATEX, PYTHON, identifiers, write_expressions
 from jounce.exchange.fmu import build as native
 from jounce.models import build
 
@@ -113,13 +113,13 @@ def test_every_operation_is_written_as_it_computes() -> None:
         (-a) ** 2, a - (a + b) * b,
     ]  # fmt: skip
     function = ca.Function("f", [a, b], [ca.vertcat(*parts)])
-    found = written(function, [["a"], ["b"]], PYTHON)
+    found = write_expressions(function, [["a"], ["b"]], PYTHON)
     scope = {**vars(fake_sympy({})), "a": 0.3, "b": 1.7}
     for name, text in found.definitions:
         scope[name] = eval(text, scope)  # noqa: S307 - what was just written
     own = np.array(function(0.3, 1.7)).ravel()
     np.testing.assert_allclose([eval(text, scope) for text in found.results[0]], own, rtol=1e-12)  # noqa: S307
-    latex = written(function, [["a"], ["b"]], LATEX)
+    latex = write_expressions(function, [["a"], ["b"]], LATEX)
     for text in (*latex.results[0], *(text for _, text in latex.definitions)):
         assert text.count("{") == text.count("}")
         assert text.count(r"\left") == text.count(r"\right")

@@ -12,7 +12,7 @@ from jounce.inspection.limits import load_limits, shipped_limits
 from jounce.inspection.methods import METHODS
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import load
-from jounce.parts.variants import worn
+from jounce.parts.variants import wear_dampers
 from jounce.plots.inspection import inspection_curves
 from jounce.testers.testing import simulate_test
 
@@ -30,7 +30,9 @@ TYRES = {
 @pytest.mark.parametrize("tyre", TYRES)
 def test_quarter_car_fails(tyre, method, noise):
     car = load("audi-a6-quarter-car").with_changes(TYRES[tyre])
-    found = simulated.simulate_inspection(worn(car, 1.0), simulated.tester_for(method), noise=noise, seed=3).wheel
+    found = simulated.simulate_inspection(
+        wear_dampers(car, 1.0), simulated.tester_for(method), noise=noise, seed=3
+    ).wheel
     assert found.is_gradable, found.reasons
     assert found.verdict == "fail", found.reasons
     assert found.value("body_damping_ratio") == pytest.approx(0.0, abs=8e-3)
@@ -39,7 +41,7 @@ def test_quarter_car_fails(tyre, method, noise):
 
 
 def test_damping_ratio_is_the_truth_within_its_interval():
-    car = worn(load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0}), 1.0)
+    car = wear_dampers(load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0}), 1.0)
     found = simulated.simulate_inspection(car, simulated.tester_for("theta"), noise=0.01)
     assert abs(found.wheel.theta_road - found.theta_road) < found.wheel.uncertainty["theta_road"] < 2e-3
 
@@ -48,7 +50,7 @@ def test_damping_ratio_is_the_truth_within_its_interval():
 @pytest.mark.parametrize("method", METHODS)
 def test_both_wheels_of_a_full_car_fail(method, axle):
     graded, _ = simulated.simulate_axle(
-        worn(load("audi-a6-full-car"), 1.0), simulated.tester_for(method), axle=axle, noise=0.01
+        wear_dampers(load("audi-a6-full-car"), 1.0), simulated.tester_for(method), axle=axle, noise=0.01
     )
     for wheel in graded.wheels:
         assert wheel.verdict == "fail", wheel.reasons
@@ -103,7 +105,7 @@ def test_bent_dampers_and_a_little_friction_pass(method, damper):
 @pytest.mark.parametrize("wear", [0.5, 0.86, 0.88, 0.89, 0.92, 0.94, 1.0])
 def test_a_light_wheel_that_hops_and_swings_on_is_not_refused(method, wear):
     """A kart of 206 N: with little damping it leaves the plate and swings on when the plate has stopped."""
-    car, tester = worn(load("kart-quarter-car"), wear), simulated.tester_for(method)
+    car, tester = wear_dampers(load("kart-quarter-car"), wear), simulated.tester_for(method)
     found = evaluate(simulate_test(car, tester, noise=0.01, seed=2), tester).wheels[0]
     assert found.is_gradable, [one.message for one in found.findings if one.severity == "problem"]
     assert any("leaves the plate" in one.message for one in found.findings) == found.lift_off
@@ -145,7 +147,7 @@ def test_damage_is_told_from_a_dead_damper(damage, method, wear):
     """Refused is the damaged record, with the reason; the same record undamaged is evaluated."""
     car = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
     tester = simulated.tester_for(method)
-    record = simulated.simulate_inspection(worn(car, wear) if wear else car, tester, noise=0.01).record
+    record = simulated.simulate_inspection(wear_dampers(car, wear) if wear else car, tester, noise=0.01).record
     record = record[[name for name in record if str(name).startswith("left.plate.")]]
     assert evaluate(record, tester).is_gradable
     spoil, reason = DAMAGE[damage]
@@ -195,7 +197,7 @@ def test_difference_within_its_uncertainty_fails_nobody():
 def test_phase_curve_least_value_and_table_are_of_one_curve(wear):
     """Where the tyre has lifted off, single turns swing far below what the table gives."""
     car = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
-    found = simulated.simulate_inspection(worn(car, wear), simulated.tester_for("egea"), noise=0.01).wheel
+    found = simulated.simulate_inspection(wear_dampers(car, wear), simulated.tester_for("egea"), noise=0.01).wheel
     figure = inspection_curves(Inspection((found,)))
     axes = next(axes for axes in figure.axes if "Phase" in axes.get_title(loc="left"))
     dot, curve = axes.lines[:2]

@@ -16,7 +16,7 @@ from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.record import read_facts
 from jounce.parts import load
 from jounce.parts.testers import load_tester
-from jounce.parts.variants import worn
+from jounce.parts.variants import wear_dampers
 from jounce.recordings import read_recording
 from jounce.recordings.hdf5 import announcement
 from jounce.report.protocol import protocol_html
@@ -28,7 +28,7 @@ FOLDER = Path(jounce.inspection.__file__).parent
 def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
     car = load("audi-a6-quarter-car").with_changes({"sprung.mass": 350.0, "tyre.damping_coefficient": 0.0})
     tester = load_tester("egea-specsus2018")
-    wheel = evaluate(simulate_test(worn(car, 0.9), tester, truth=False), tester).wheels[0]
+    wheel = evaluate(simulate_test(wear_dampers(car, 0.9), tester, truth=False), tester).wheels[0]
     codes = [one.code for one in wheel.findings]
     assert (wheel.phase_angle_min_deg < 0.0) == ("phase_below_zero" in codes)
     assert "phase_below_zero" in codes

@@ -109,7 +109,7 @@ def bouncing():
 
 def run(model, values, x0, times, *, tolerance=1e-8, longest=0.05, max_steps=100_000, modes=()):
     compiled = compile_model(model)
-    p = compiled.extended(np.array(values, dtype=float))
+    p = compiled.extend(np.array(values, dtype=float))
     tracks, start = flatten([signal(0, [0.0] * 4)]), np.array(x0, dtype=float)
     problem = Problem(compiled.engine, tracks, tracks.first[:0].copy(), p, np.array(modes, dtype=float), start, 0)
     control = Control(tolerance, np.full(len(x0), 1e-2), np.full(len(modes), 1e-12), max_steps, longest)

@@ -47,7 +47,7 @@ def test_native_code_is_not_taken_from_another_kernel(monkeypatch, tmp_path):
 
     for digest in ("one kernel", "one kernel", "another kernel"):
         monkeypatch.setattr(cache, "digest_of", lambda *_, digest=digest: digest)
-        native.kept_code("nothing", make)
+        native.code_from_cache("nothing", make)
     assert len(made) == 2
 
 
@@ -138,7 +138,7 @@ def test_garbage_is_collected_again_after_a_model_was_compiled(monkeypatch, fold
     (gc.enable if collects else gc.disable)()
     try:
         with pytest.raises(ValueError, match="no such model"):
-            native.kept_code("nothing", make)
+            native.code_from_cache("nothing", make)
         assert (seen, gc.isenabled()) == ([False], collects)
     finally:
         gc.enable()

@@ -189,7 +189,7 @@ def test_the_ways_after_each_other(elsewhere, steps, right) -> None:
 def test_bitcode_that_this_llvm_cannot_read_is_passed_over(elsewhere, steps) -> None:
     expected, digest = follow(), digest_of(*loops.SOURCES)
     (file,) = elsewhere.rglob("*.bc")
-    cache.write_sealed(file, key_of("hysteresis", digest), cache.joined({}, b"bitcode of a newer LLVM"))
+    cache.write_sealed(file, key_of("hysteresis", digest), cache.join({}, b"bitcode of a newer LLVM"))
     for file in elsewhere.rglob("*.o"):
         file.unlink()
     steps.clear()
@@ -275,7 +275,7 @@ def test_objects_for_all_platforms(elsewhere) -> None:
             elsewhere / "built" / platform / "hysteresis.o", key_of("hysteresis", digest, platform)
         )
         assert content is not None
-        assert cache.parted(content)[1].startswith(starts[platform.partition("-")[0]])
+        assert cache.split(content)[1].startswith(starts[platform.partition("-")[0]])
 
 
 def test_the_digest_covers_all_that_loops_are_made_of() -> None:

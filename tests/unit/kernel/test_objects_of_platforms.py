@@ -85,7 +85,7 @@ def targets() -> None:
 def test_a_platform_has_what_its_objects_call(name: str, targets) -> None:
     bitcode = cache.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*loops.SOURCES)))
     assert bitcode is not None
-    made = {platform: cache.parted(call.object_for(bitcode, PLATFORMS[platform]))[1] for platform in PLATFORMS}
+    made = {platform: cache.split(call.object_for(bitcode, PLATFORMS[platform]))[1] for platform in PLATFORMS}
     assert not {platform: found for platform, content in made.items() if (found := problems(content, platform))}
 
 

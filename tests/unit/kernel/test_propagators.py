@@ -8,7 +8,7 @@ from scipy.linalg import expm
 
 from jounce import parts
 from jounce.core.segments import POLYNOMIAL, SINE, Segments
-from jounce.kernel.methods.rows import padded
+from jounce.kernel.methods.rows import padded_length
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import prepare
@@ -60,7 +60,7 @@ def test_a_step(step: float, wave: int) -> None:
 
 
 def test_rows_are_whole_vectors() -> None:
-    assert [padded(count) for count in (1, 4, 5, 8, 14, 16, 17)] == [4, 4, 8, 8, 16, 16, 24]
+    assert [padded_length(count) for count in (1, 4, 5, 8, 14, 16, 17)] == [4, 4, 8, 8, 16, 16, 24]
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 100, 193, 194, 195, 402])

@@ -60,7 +60,7 @@ def test_tube_is_a_bar_less_its_bore():
     start, end = (0.1, 0.2, 0.3), (0.4, -0.2, 0.5)
     tube = jn.mechanics.tube(DENSITY, 0.02, 0.03, start, end)
     bore = jn.mechanics.cylinder(DENSITY, 0.02, start, end)
-    close(jn.mechanics.combined(tube, bore), jn.mechanics.cylinder(DENSITY, 0.03, start, end))
+    close(jn.mechanics.combine_solids(tube, bore), jn.mechanics.cylinder(DENSITY, 0.03, start, end))
 
 
 def test_bar_turns_its_inertia_along():
@@ -75,7 +75,7 @@ def test_bar_turns_its_inertia_along():
 def test_halves_make_the_whole():
     left = jn.mechanics.box(DENSITY, (0.1, 0.3, 0.1), (0.35, -0.1, 0.25))
     right = jn.mechanics.box(DENSITY, (0.1, 0.3, 0.1), (0.45, -0.1, 0.25))
-    close(jn.mechanics.combined(left, right), jn.mechanics.box(DENSITY, SIZE, CENTRE))
+    close(jn.mechanics.combine_solids(left, right), jn.mechanics.box(DENSITY, SIZE, CENTRE))
 
 
 def test_mesh_of_a_block_is_the_block(tmp_path):
@@ -117,7 +117,7 @@ def test_open_and_inside_out_meshes_are_refused(tmp_path):
         (lambda: jn.mechanics.sphere(1.0, float("nan"), CENTRE), "radius: not a finite number"),
         (lambda: jn.mechanics.tube(1.0, 0.2, 0.1, (0, 0, 0), (1, 0, 0)), "not an inner radius; found '0.2 m'"),
         (lambda: jn.mechanics.cylinder(1.0, 0.1, (0, 0, 0), (0, 0, 0)), "not a distance of the ends; found '0 m'"),
-        (jn.mechanics.combined, "nothing to combine"),
+        (jn.mechanics.combine_solids, "nothing to combine"),
     ],
 )
 def test_shapes_that_are_none(make, text):
@@ -135,7 +135,7 @@ def test_triangle_inequality_of_moments():
 
 
 def test_solids_go_into_mechanisms():
-    solid = jn.mechanics.combined(
+    solid = jn.mechanics.combine_solids(
         jn.mechanics.cylinder(DENSITY, 0.01, (0.0, 0.0, 0.0), (0.5, 0.0, 0.0)),
         jn.mechanics.sphere(DENSITY, 0.04, (0.5, 0.0, 0.0)),
     )

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import jounce as jn
 from jounce import parts
 from jounce.core.errors import DescriptionError
-from jounce.parts.rig import shown_unit_of, split_path, structure_of, unit_of
+from jounce.parts.rig import result_unit_of, split_path, structure_of, unit_of
 
 KART = parts.load("kart-quarter-car")
 TABLE_TYRE = KART.with_changes(
@@ -274,7 +274,7 @@ def test_what_is_no_change_is_told(changes: object) -> None:
 def test_coefficients_of_curves_are_shown_in_the_unit_of_their_power() -> None:
     cubic = {"curve": {"kind": "polynomial", "coefficients": [1.4e5, 0.0, 3.0e6]}}
     rig = jn.load("kart-quarter-car").with_changes({"tyre": cubic})
-    shown = [shown_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in range(3)]
+    shown = [result_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in range(3)]
     assert shown == ["N/m", "N/m^2", "N/m^3"]
     assert unit_of(rig, "tyre.curve.coefficients[2]") == "1"  # what a file takes
-    assert shown_unit_of(rig, "sprung.mass") == "kg"
+    assert result_unit_of(rig, "sprung.mass") == "kg"

@@ -12,7 +12,7 @@ from jounce.core.display import SYSTEMS, current_units, display_unit, display_un
 from jounce.core.errors import DescriptionError
 from jounce.core.units import conversion_factor
 from jounce.identify.force_deflection import ForceDeflectionTrial
-from jounce.plots.display import estimate_text, given
+from jounce.plots.display import estimate_text, setting_text
 from jounce.report.bench_charts import road_panels, stiffness_panels
 
 SIZES = {  # what one SI unit is, by the definitions of inch, foot, pound and pound-force (NIST SP 811, appendix B)
@@ -55,7 +55,7 @@ def test_units_by_size_and_by_words(imperial: None) -> None:
     assert display_unit_for("in").factor == pytest.approx(1.0, rel=1e-12)  # what is converted already
     assert display_unit_for("psi").factor == pytest.approx(1.0, rel=1e-12)
     assert size(0.31, "MPa") == "44.96 psi"
-    assert given(1.95, "m/s", "speed") == "4.362 mph"
+    assert setting_text(1.95, "m/s", "speed") == "4.362 mph"
     for unit in ("s", "Hz", "%", "g", "°", "no unit", "SI"):
         assert display_unit_for(unit).name == unit
         assert display_unit_for(unit).factor == 1.0

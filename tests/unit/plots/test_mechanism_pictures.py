@@ -12,7 +12,7 @@ import xarray as xr
 import jounce as jn
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.parts.files import RIGS
-from jounce.plots import figure_of, mechanism, rendered
+from jounce.plots import figure_of, mechanism, render_figure
 from jounce.plots.display import kinematic_value
 from jounce.plots.labels import spread
 from jounce.plots.mechanisms.drawing import coil, outline, tyre
@@ -291,7 +291,7 @@ def test_show_draws_a_rig_and_a_lumped_one_is_refused() -> None:
 
 
 def test_same_rig_same_bytes() -> None:
-    first, second = (rendered(mechanism(rig_of("five-link"), title="five")) for _ in range(2))
+    first, second = (render_figure(mechanism(rig_of("five-link"), title="five")) for _ in range(2))
     assert first == second
     assert b"link_3_outer" in first[".svg"]
 

@@ -11,7 +11,7 @@ import pytest
 import jounce as jn
 from jounce.core import writing
 from jounce.core.errors import OutputError
-from jounce.plots import add_note, new_figure, rendered, road_profile, show, write_figure
+from jounce.plots import add_note, new_figure, render_figure, road_profile, show, write_figure
 from jounce.plots.figures import log_axes, style
 
 OBSTACLE = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
@@ -33,9 +33,9 @@ def test_one_figure_gives_the_same_bytes_each_time() -> None:
         axes.plot([0.0, 1.0], [0.0, 1.0], label="a")
         axes.set_xlabel("x")
         figure.colorbar(axes.imshow([[0.0, 1.0]]), ax=axes)
-    first = rendered(figure, sorted(MAGIC))
-    assert rendered(figure, sorted(MAGIC)) == first
-    assert rendered(figure, [".png"])[".png"] == first[".png"]
+    first = render_figure(figure, sorted(MAGIC))
+    assert render_figure(figure, sorted(MAGIC)) == first
+    assert render_figure(figure, [".png"])[".png"] == first[".png"]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="elsewhere what still runs is not known, and left for a day")
@@ -57,15 +57,15 @@ def test_figures_that_were_shown_go_with_the_next_process(tmp_path: Path, monkey
 
 
 def test_settings_of_the_user_do_not_matter_and_stay() -> None:
-    before = rendered(road_profile(OBSTACLE))
+    before = render_figure(road_profile(OBSTACLE))
     with mpl.rc_context({"font.size": 30.0, "axes.facecolor": "black", "svg.fonttype": "path"}):
-        assert rendered(road_profile(OBSTACLE)) == before
+        assert render_figure(road_profile(OBSTACLE)) == before
         assert mpl.rcParams["font.size"] == 30.0
     assert mpl.rcParams["svg.hashsalt"] is None
 
 
 def test_no_date_no_random_names() -> None:
-    svg = rendered(road_profile(OBSTACLE))[".svg"].decode()
+    svg = render_figure(road_profile(OBSTACLE))[".svg"].decode()
     assert "<dc:date>" not in svg
     assert "height [mm]" in svg  # text stays text
 
@@ -90,7 +90,7 @@ def test_what_cannot_be_written_is_refused(name: str, message: str, tmp_path: Pa
 def test_note_stands_below_everything() -> None:
     figure = road_profile(OBSTACLE)
     add_note(figure, "Synthetic data")
-    assert b"Synthetic data" in rendered(figure)[".svg"]
+    assert b"Synthetic data" in render_figure(figure)[".svg"]
     note = figure.texts[-1].get_window_extent()
     assert note.y1 <= figure.axes[0].xaxis.label.get_window_extent().y0 + 1.0
 
@@ -125,7 +125,7 @@ def test_logarithmic_ticks_are_written_without_markup(low: float, high: float, e
 def test_letters_without_a_glyph_are_told_once(caplog: pytest.LogCaptureFixture) -> None:
     figure = new_figure(2.0)
     figure.subplots().set(title="漢字 über ω", xlabel="字")
-    rendered(figure, [".png", ".pdf"])
+    render_figure(figure, [".png", ".pdf"])
     assert [record.getMessage() for record in caplog.records] == [
         "letters that the font of pictures does not have are boxes: 字漢"
     ]

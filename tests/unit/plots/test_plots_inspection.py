@@ -8,7 +8,7 @@ import xarray as xr
 
 from jounce.inspection.grading import grade
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.plots import figure_of, rendered
+from jounce.plots import figure_of, render_figure
 from jounce.plots.inspection import envelope, inspection_curves
 
 FREQUENCY = np.linspace(25.0, 4.0, 40)
@@ -97,7 +97,7 @@ def test_a_jolt_at_the_start_does_not_flatten_the_rest(record: xr.Dataset) -> No
 
 
 def test_the_picture_is_the_same_every_time(record: xr.Dataset) -> None:
-    first, second = (rendered(inspection_curves(inspection(), record), [".svg"])[".svg"] for _ in range(2))
+    first, second = (render_figure(inspection_curves(inspection(), record), [".svg"])[".svg"] for _ in range(2))
     assert first == second
     assert len(first) < 150_000
 

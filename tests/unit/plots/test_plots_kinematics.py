@@ -52,7 +52,7 @@ def test_axles_have_two_lines_and_pairs_at_most_five() -> None:
 def test_every_quantity_is_on_one_sheet(sweep, tmp_path: Path, monkeypatch) -> None:
     """Sheets are drawn as pictures where the command writes them: seconds."""
     drawn = []
-    monkeypatch.setattr(kinematics, "rendered", lambda figure, _: drawn.append(figure) or {".png": b"\x89PNG"})
+    monkeypatch.setattr(kinematics, "render_figure", lambda figure, _: drawn.append(figure) or {".png": b"\x89PNG"})
     named = [name for names in SHEETS.values() for name in names]
     assert len(set(named)) == len(named)
     files = write_kinematics(sweep, tmp_path / "curves")

@@ -8,7 +8,7 @@ import xarray as xr
 
 import jounce as jn
 from jounce.plots.design import ride_spectra, trade_off
-from jounce.plots.display import kinematic_value, settled
+from jounce.plots.display import kinematic_value, settle
 from jounce.plots.figures import new_figure
 from jounce.plots.fits import _draw_correlation
 from jounce.plots.kinematics import kinematic_curves
@@ -33,10 +33,10 @@ class TestViewer:
 
     def test_rounding_is_no_curve(self):
         noise = 1e-7 * np.sin(np.arange(50.0))
-        assert np.ptp(settled(noise, "rad")) == 0.0
-        assert settled(noise, "rad")[0] == 0.0
-        assert np.ptp(settled(-0.03 + 1e-13 * noise, "rad")) == 0.0
-        assert np.array_equal(settled(np.array([0.0, 0.01, np.nan]), "rad"), [0.0, 0.01, np.nan], equal_nan=True)
+        assert np.ptp(settle(noise, "rad")) == 0.0
+        assert settle(noise, "rad")[0] == 0.0
+        assert np.ptp(settle(-0.03 + 1e-13 * noise, "rad")) == 0.0
+        assert np.array_equal(settle(np.array([0.0, 0.01, np.nan]), "rad"), [0.0, 0.01, np.nan], equal_nan=True)
 
 
 class TestRideSpectra:

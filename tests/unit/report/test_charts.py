@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from jounce.plots.thinning import thinned
+from jounce.plots.thinning import thin
 from jounce.report.chart import Chart, Panel, Series, chart_svg, panel_svg, tick_text, ticks
 from jounce.report.live import Curve, PageArrays, Pane, Viewer, ViewerScene, bundle, live_data, scene_panels
 from jounce.report.render import chart_style, png_of
@@ -95,7 +95,7 @@ def test_zero_is_zero_in_a_page() -> None:
 def test_thinning_keeps_first_last_lowest_and_highest_of_every_column() -> None:
     x = np.linspace(0.0, 1.0, 5000)
     y = np.random.default_rng(2).standard_normal(5000)
-    few, seen = thinned(x, y, 0.0, 1.0, 50)
+    few, seen = thin(x, y, 0.0, 1.0, 50)
     assert len(few) <= 4 * 51
     for k in range(50):
         inside, kept = (x >= k / 50) & (x < (k + 1) / 50), (few >= k / 50) & (few < (k + 1) / 50)

@@ -25,7 +25,7 @@ from jounce.report.protocol import (
     protocol_html,
     protocol_pdf,
     protocol_png,
-    shortened,
+    shorten,
     write_protocol,
 )
 from jounce.testers.plates import phase_angle
@@ -237,7 +237,7 @@ def test_sources_of_the_limits_are_named(sound: VehicleGrade) -> None:
     [("a\x00b\r\nc", "a b c"), ("\u202eevil", "evil"), ("  ", "–"), ("x" * 300, "x" * 159 + "…"), ("\ud800", "–")],
 )
 def test_texts_become_one_short_line(text: str, shown: str) -> None:
-    assert shortened(text) == shown
+    assert shorten(text) == shown
 
 
 # --- pages ----------------------------------------------------------------------------------------------------------
@@ -302,7 +302,7 @@ def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, drawn, monkey
     page = protocol_html(worn, about=about)
     found = Text(page)
     assert found.tags.count("script") == 1  # the page's own
-    assert shortened(text, 64).split("…")[0][:20].strip() in found.text
+    assert shorten(text, 64).split("…")[0][:20].strip() in found.text
     assert "alert(1)</script>" not in page
 
 

@@ -34,7 +34,7 @@ from jounce.report import (
 from jounce.report.chart import Chart, Panel, Series
 from jounce.report.document import _blocks, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.render import TEMPLATES
-from jounce.report.typeset import compiled
+from jounce.report.typeset import typeset
 
 HOSTILE = '#panic("x") $ \\ */ // ` <script> @ref = "' + "漢字" * 20 + "x" * 300
 
@@ -88,9 +88,9 @@ def test_no_column_leaves_the_page() -> None:
         return b""
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("jounce.report.document.compiled", keep)
+        patch.setattr("jounce.report.document.typeset", keep)
         page_pdf(wide, {}, files["main.typ"])
-    picture = Image.open(io.BytesIO(compiled(kept, "png", ppi=72.0)[0])).convert("L")
+    picture = Image.open(io.BytesIO(typeset(kept, "png", ppi=72.0)[0])).convert("L")
     margin = picture.crop((picture.width - 30, 60, picture.width, picture.height - 60))
     assert margin.getextrema() == (255, 255)
 

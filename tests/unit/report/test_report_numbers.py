@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from jounce.identify.estimate import Estimate
-from jounce.plots.display import correlation, estimate_cells, estimate_text, given, milliseconds, percent
+from jounce.plots.display import correlation, estimate_cells, estimate_text, milliseconds, percent, setting_text
 
 
 @pytest.mark.parametrize(
@@ -40,7 +40,12 @@ def test_signs_of_nothing() -> None:
 
 
 def test_settings_as_given() -> None:
-    assert [given(2.9, "m/s"), given(0.15, "m"), given(250000.0, "Pa"), given(None, "rad")] == [
+    assert [
+        setting_text(2.9, "m/s"),
+        setting_text(0.15, "m"),
+        setting_text(250000.0, "Pa"),
+        setting_text(None, "rad"),
+    ] == [
         "2.9 m/s",
         "150 mm",
         "0.25 MPa",

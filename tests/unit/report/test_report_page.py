@@ -24,7 +24,7 @@ from jounce.report import (
     Subsection,
 )
 from jounce.report import write_page as write
-from jounce.report.page import grouped, unique_slugs, worst_first
+from jounce.report.page import group_findings, unique_slugs, worst_first
 from jounce.report.render import inline_svg
 
 BOTH = ("svg", "png")
@@ -121,18 +121,18 @@ def test_findings_are_grouped_worst_first() -> None:
         Finding("a", "note", "same"),
         Finding("d", "warning", "weak"),
     )
-    assert grouped(Findings(items)) == [
+    assert group_findings(Findings(items)) == [
         ("problem", "Problems", [("c", "bad")]),
         ("warning", "Warnings", [("d", "weak")]),
         ("note", "Notes", [("a, b", "same")]),
     ]
-    assert [row[0] for row in grouped(Findings(items, most=1))] == ["problem"]
+    assert [row[0] for row in group_findings(Findings(items, most=1))] == ["problem"]
     assert [item.severity for item in worst_first(items)] == ["problem", "warning", "note", "note", "note"]
 
 
 def test_many_places_are_counted() -> None:
     items = tuple(Finding(f"t{k}", "note", "same") for k in range(9))
-    assert grouped(Findings(items))[0][2] == [("t0, t1, t2, t3, t4, t5 and 3 more", "same")]
+    assert group_findings(Findings(items))[0][2] == [("t0, t1, t2, t3, t4, t5 and 3 more", "same")]
 
 
 def test_slugs() -> None:
@@ -143,4 +143,4 @@ def test_slugs() -> None:
 
 def test_negative_numbers_in_findings_have_a_minus_as_in_tables() -> None:
     found = Findings((Finding("a", "note", "moved by -0.5 (-3 to -1e-05), ISO 2631-1 of 2026-11-22"),))
-    assert grouped(found)[0][2][0][1] == "moved by −0.5 (−3 to −1e-05), ISO 2631-1 of 2026-11-22"
+    assert group_findings(found)[0][2][0][1] == "moved by −0.5 (−3 to −1e-05), ISO 2631-1 of 2026-11-22"

@@ -22,7 +22,7 @@ from jounce.report import (
 )
 from jounce.report.live import Curve, Pane, ViewerScene, live_data, scene_panels
 from jounce.report.page import Page, PageTable, Paragraph
-from jounce.report.render import parted
+from jounce.report.render import with_break_points
 from jounce.ride.study import RideStudy, iso_trial
 
 HOSTILE = '<img src=x onerror="document.title=1">$\\alpha$'
@@ -71,7 +71,7 @@ def test_a_page_holds_as_many_channels_as_it_can_and_says_what_is_left_out() -> 
     ],
 )
 def test_names_break_behind_their_dots_only(text: str, found: str) -> None:
-    assert str(parted(text)) == found
+    assert str(with_break_points(text)) == found
 
 
 def texts(page: Page) -> str:

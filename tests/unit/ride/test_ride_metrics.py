@@ -13,7 +13,7 @@ from jounce.recordings import recording
 from jounce.ride import comfort
 from jounce.ride.catalogue import CATALOGUE, Choices, peak_use
 from jounce.ride.metrics import by_corner, gaps_of, ride_metrics
-from jounce.ride.weighting import weighted
+from jounce.ride.weighting import weight
 
 TIME = np.arange(0.0, 40.0 + 5e-4, 1e-3)
 WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
@@ -88,7 +88,7 @@ def test_what_settles_does_not_count_but_is_remembered() -> None:
     run = recorded(body__az=shaken)
     assert ride_metrics(run, settling=12.0).value("rms_acceleration") == pytest.approx(np.sqrt(0.5), rel=1e-6)
     assert ride_metrics(run).value("rms_acceleration") > 1.5
-    after = weighted(shaken, 1000.0, "Wk")[12_000:]
+    after = weight(shaken, 1000.0, "Wk")[12_000:]
     assert ride_metrics(run, settling=12.0).value("vdv") == pytest.approx(comfort.vdv(after, 1000.0), rel=1e-9)
 
 

@@ -18,7 +18,7 @@ from jounce.ride.spectra import (
     third_octaves,
     transfer_function,
 )
-from jounce.ride.weighting import weighted
+from jounce.ride.weighting import weight
 
 RATE = 500.0
 NOISE = np.random.default_rng(7).normal(size=100_000)
@@ -81,10 +81,10 @@ def test_third_octaves_are_those_of_the_standard() -> None:
 def test_bands_give_the_weighted_value_of_the_signal() -> None:
     # ISO 2631-1, 6.4.2: both ways are the same apart from the bands' width
     signal = np.convolve(NOISE, np.ones(10) / 10.0, mode="same")
-    over_time = comfort.rms(weighted(signal, RATE, "Wk"), RATE)
+    over_time = comfort.rms(weight(signal, RATE, "Wk"), RATE)
     bands = third_octaves(power_spectrum(signal, RATE, segment="20 s"))
     assert bands.weighted("Wk") == pytest.approx(over_time, rel=0.02)
-    assert bands.weighted("Wd") == pytest.approx(comfort.rms(weighted(signal, RATE, "Wd"), RATE), rel=0.02)
+    assert bands.weighted("Wd") == pytest.approx(comfort.rms(weight(signal, RATE, "Wd"), RATE), rel=0.02)
 
 
 def test_a_linear_model_in_the_same_form() -> None:

@@ -25,7 +25,7 @@ def test_white_noise_of_a_class() -> None:
     assert road.intensity == pytest.approx(2.0 * math.pi**2 * 0.01 * C * 20.0, rel=1e-12)
     assert road.corner_rate is None
     np.testing.assert_allclose(road.heights(N), C * (N / 0.1) ** -2.0, rtol=1e-12)
-    assert road.shared(N, 1.5) is None
+    assert road.root_coherence(N, 1.5) is None
     assert "density" not in road.to_dict()
 
 
@@ -47,9 +47,9 @@ def test_other_spectra() -> None:
 def test_sides_share_the_root_of_the_coherence(sides: str) -> None:
     road = surface("C", 20.0, band="iso", sides=sides)
     expected = np.sqrt(track_coherence(N, 1.5, model=sides, waviness=2.0))
-    np.testing.assert_allclose(road.shared(N, 1.5), expected, rtol=1e-12)
+    np.testing.assert_allclose(road.root_coherence(N, 1.5), expected, rtol=1e-12)
     assert surface("C", 20.0, band="iso").sides == "isotropic"
-    assert surface("C", 20.0, band="iso", sides="same").shared(N, 1.5) is None
+    assert surface("C", 20.0, band="iso", sides="same").root_coherence(N, 1.5) is None
 
 
 @pytest.mark.parametrize(

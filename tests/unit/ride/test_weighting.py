@@ -5,13 +5,13 @@ import pytest
 from scipy import signal
 
 import jounce as jn
-from jounce.ride.weighting import WEIGHTINGS, Start, _block_length, _continuation, weighted, weighting_response
+from jounce.ride.weighting import WEIGHTINGS, Start, _block_length, _continuation, weight, weighting_response
 
 
 def test_a_long_record_is_the_same_as_its_parts() -> None:
     noise = np.random.default_rng(3).normal(size=400_000)  # several blocks
-    whole = weighted(noise, 1000.0, "Wk")
-    first = weighted(noise[:150_000], 1000.0, "Wk")
+    whole = weight(noise, 1000.0, "Wk")
+    first = weight(noise[:150_000], 1000.0, "Wk")
     np.testing.assert_allclose(first[:-600], whole[: first.size - 600], atol=1e-5)
     assert abs(first - whole[: first.size]).max() < 2e-3  # the last samples feel what is not there yet
 
@@ -19,7 +19,7 @@ def test_a_long_record_is_the_same_as_its_parts() -> None:
 def test_nothing_answers_before_it_happens() -> None:
     pulse = np.zeros(4000)
     pulse[2000:2100] = np.hanning(100)
-    answer = weighted(pulse, 1000.0, "Wk")
+    answer = weight(pulse, 1000.0, "Wk")
     assert abs(answer[:1990]).max() < 1e-5
     assert abs(answer).max() > 0.1
 
@@ -27,14 +27,14 @@ def test_nothing_answers_before_it_happens() -> None:
 @pytest.mark.parametrize(("start", "first"), [("rest", 0.8), ("first", 0.0), ("mean", 0.0)])
 def test_what_was_before_an_offset(start: Start, first: float) -> None:
     # gravity in the signal: a step of the filter when nothing was before, nothing at all when it was always there
-    answer = weighted(np.full(20_000, 9.81), 1000.0, "Wk", start=start)
+    answer = weight(np.full(20_000, 9.81), 1000.0, "Wk", start=start)
     assert abs(answer).max() / 9.81 == pytest.approx(first, abs=0.35 if first else 1e-12)
     assert abs(answer[10_000:]).max() < 1e-6
 
 
 def test_a_cosine_needs_its_settling_only_at_the_start() -> None:
     time = np.arange(0.0, 30.0, 0.001)
-    answer = weighted(np.cos(2.0 * np.pi * 2.0 * time), 1000.0, "Wk")
+    answer = weight(np.cos(2.0 * np.pi * 2.0 * time), 1000.0, "Wk")
     gain = weighting_response("Wk", 2.0)
     expected = np.real(gain * np.exp(2j * np.pi * 2.0 * time))
     assert abs(answer - expected)[:500].max() > 0.1
@@ -62,7 +62,7 @@ def test_the_start_is_that_of_the_filter(name: str) -> None:
     zeros, poles, gain = signal.tf2zpk(numerator, denominator)
     sections = signal.zpk2sos(*signal.bilinear_zpk(zeros, poles, gain, fine))
     expected = signal.sosfilt(sections, shaken)[::10]
-    np.testing.assert_allclose(weighted(shaken[::10], rate, name)[:-20], expected[:-20], atol=2e-4)
+    np.testing.assert_allclose(weight(shaken[::10], rate, name)[:-20], expected[:-20], atol=2e-4)
     assert abs(expected).max() > 0.02
 
 
@@ -93,13 +93,13 @@ def test_the_largest_gain_of_wk() -> None:
 )
 def test_bad_input_is_one_message(values, rate, name, text) -> None:
     with pytest.raises(jn.JounceError) as caught:
-        weighted(values, rate, name)
+        weight(values, rate, name)
     assert text in str(caught.value)
 
 
 def test_an_unknown_start_is_refused() -> None:
     with pytest.raises(jn.DescriptionError, match="unknown start of the record 'gravity'"):
-        weighted([0.0, 1.0], 1000.0, "Wk", start="gravity")
+        weight([0.0, 1.0], 1000.0, "Wk", start="gravity")
 
 
 @pytest.mark.parametrize(

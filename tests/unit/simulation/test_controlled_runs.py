@@ -203,7 +203,7 @@ def test_steps_make_the_same_run(rig: jn.Rig) -> None:
     for _ in range(2):  # also after a new start
         stepper.start()
         parts = []
-        while not stepper.finished:
+        while not stepper.is_finished:
             parts.append(stepper.step(np.array([2000.0])))
         for channel in ("sprung.z", "tyre.force"):
             found = np.hstack(parts)[stepper.channels.index(channel)]

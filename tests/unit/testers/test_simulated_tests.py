@@ -10,7 +10,7 @@ from jounce.inspection.evaluation import evaluate
 from jounce.inspection.simulated import simulate_inspection
 from jounce.parts import load
 from jounce.parts.testers import Programme, load_tester
-from jounce.parts.variants import worn
+from jounce.parts.variants import wear_dampers
 from jounce.parts.vehicles import axle_of
 from jounce.recordings.schema import check_recording
 from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode
@@ -125,7 +125,7 @@ def test_files_have_a_header_that_says_the_load(tmp_path):
         (lambda: steady_response(CAR, EGEA, [10.0], wheel="both"), "left, right"),
         (lambda: wheel_mode(CAR, EGEA, on="moon"), "rig, road"),
         (lambda: simulate_test(load("audi-a6-full-car"), EGEA, about={"axle": "middle"}), "front, rear"),
-        (lambda: worn(CAR, 1.5), "0 .new. to 1"),
+        (lambda: wear_dampers(CAR, 1.5), "0 .new. to 1"),
     ],
 )
 def test_refused(call, says):
@@ -137,12 +137,12 @@ def test_refused(call, says):
 @pytest.mark.parametrize("name", ["audi-a6-quarter-car", "audi-a6-full-car", "kart-double-wishbone", "polaris-front"])
 def test_wear_takes_force_from_the_dampers_only(name):
     new = load(name)
-    half, before = worn(new, 0.5).parameters(), new.parameters()
+    half, before = wear_dampers(new, 0.5).parameters(), new.parameters()
     changed = {path for path, value in before.items() if half[path] != value}
     assert changed
     assert all("damp" in path and "tyre" not in path for path in changed)
     assert all(half[path] == pytest.approx(0.5 * before[path], rel=1e-12) for path in changed)
-    assert worn(new, 0.0).parameters() == before
+    assert wear_dampers(new, 0.0).parameters() == before
 
 
 def test_an_overdamped_wheel_has_no_mode():

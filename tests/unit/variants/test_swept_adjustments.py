@@ -30,7 +30,7 @@ def test_a_swept_adjustment_is_an_adjusted_rig() -> None:
     assert many["upper_arm_length"].attrs["units"] == "m"
     assert set(many["reason"].values) == {""}
     for row, (length, rate) in enumerate(zip(lengths, rates, strict=True)):
-        rig = jn.adjusted(KART.with_changes({"strut.spring.rate": rate}), {"upper_arm_length": length})
+        rig = jn.apply_adjustments(KART.with_changes({"strut.spring.rate": rate}), {"upper_arm_length": length})
         run = jn.simulate(rig, TRIAL)
         for name in ("sprung.az", "strut.force"):
             np.testing.assert_allclose(many[name][row], run[name], rtol=1e-9, atol=1e-9)

@@ -109,7 +109,7 @@ class FmuControl(CallbackController):
             raise ValueError("both output and outputs are given; output is for each corner, outputs for the vehicle")
         return self
 
-    def beside(self, folder: Path) -> Self:
+    def resolve_paths(self, folder: Path) -> Self:
         """Return the same with its file resolved against a folder."""
         return self.model_copy(update={"file": str(folder / self.file)})
 
@@ -123,7 +123,7 @@ class FmuControl(CallbackController):
         """Whether its output is a strut force without lag."""
         return isinstance(self.actuator, ActiveActuator) and self.actuator.order == 0
 
-    def paced(self, fastest: float) -> Self:
+    def with_rate_for(self, fastest: float) -> Self:
         """Return the same with a rate that suits the rig's fastest mode (rad/s), where a force has no rate."""
         if "rate" in self.model_fields_set or not self.is_force:
             return self

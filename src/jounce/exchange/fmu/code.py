@@ -46,7 +46,7 @@ class _Statements:
         return f"{self._arguments[argument]}[{element}]"
 
     def load_wide(self, offset: int, count: int) -> str:
-        return self.gathered([self.load(2, offset + k) for k in range(count)])
+        return self.gather([self.load(2, offset + k) for k in range(count)])
 
     def scalar(self, operation: str, values: list[str]) -> str:
         name = operation.removeprefix("OP_")
@@ -61,7 +61,7 @@ class _Statements:
     def lane(self, vector: str, lane: int) -> str:
         return f"at({vector}, {lane})"
 
-    def gathered(self, values: list[str]) -> str:
+    def gather(self, values: list[str]) -> str:
         return self._new("pair", "BOTH", values)
 
     def _new(self, kind: str, operation: str, values: list[str]) -> str:

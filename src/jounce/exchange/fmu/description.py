@@ -77,7 +77,7 @@ def _common(root: ET.Element, variables: Variables) -> ET.Element:
 
 def description(version: int, variables: Variables, head: Head) -> bytes:
     """Text of ``modelDescription.xml``."""
-    return _written((_fmi2 if version == 2 else _fmi3)(variables, head))
+    return _to_xml((_fmi2 if version == 2 else _fmi3)(variables, head))
 
 
 def _fmi3(variables: Variables, head: Head) -> ET.Element:
@@ -161,7 +161,7 @@ def build_description() -> bytes:
     files = ET.SubElement(configuration, "SourceFileSet", language="C99")
     for name in sources(3):
         ET.SubElement(files, "SourceFile", name=name)
-    return _written(root)
+    return _to_xml(root)
 
 
 def terminals(variables: Variables) -> bytes:
@@ -179,7 +179,7 @@ def terminals(variables: Variables) -> bytes:
             ET.SubElement(
                 terminal, "TerminalMemberVariable", variableKind="signal", memberName=last, variableName=member.name
             )
-    return _written(root)
+    return _to_xml(root)
 
 
 def page(variables: Variables, head: Head, notes: str) -> bytes:
@@ -209,6 +209,6 @@ def page(variables: Variables, head: Head, notes: str) -> bytes:
     return ("\n".join(lines) + "\n").encode()
 
 
-def _written(root: ET.Element) -> bytes:
+def _to_xml(root: ET.Element) -> bytes:
     ET.indent(root)
     return b'<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root) + b"\n"

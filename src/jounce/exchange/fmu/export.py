@@ -99,7 +99,7 @@ def check_fmu(*, sources_only: bool, platform: Any, axle: str | None, tester: st
 def export_fmu(  # noqa: PLR0913 - each is an option of the command
     rig: Annotated[
         Rig | str | Path | Mechanism,
-        MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python"),
+        MadeBy("jounce.parts.options:rig_of_options", "jounce.parts.options:rig_in_python"),
     ],
     path: Annotated[Path | str, File("File to write.", "CAR.fmu")],
     *,
@@ -254,7 +254,7 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
     except SimulationError as error:  # it has an equilibrium, and other programs may run it
         findings.append(finding("exchange.no_reference_run", str(file), error=error))
     files["documentation/index.html"] = page(variables, head, notes)
-    write_atomically(file, _zipped(files), force=force)
+    write_atomically(file, _zip_files(files), force=force)
     return FmuExport(
         file,
         version,
@@ -280,7 +280,7 @@ def _c_files(version: int) -> list[str]:
     return [name for name in names if name.startswith(("core.", "pairs.", f"fmi{version}"))]
 
 
-def _zipped(files: dict[str, bytes]) -> bytes:
+def _zip_files(files: dict[str, bytes]) -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():

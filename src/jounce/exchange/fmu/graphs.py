@@ -72,7 +72,7 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
         function = hoisted.function(name, model, more=more.get(name, ()))
         packed = Packed(function, alike, (states, inputs, numbers, modes, *behind.get(name, ())))
         functions[name] = packed, tuple(part.shape[0] for part in results)
-    derived = hoisted.derived(0)["derived"]
+    derived = hoisted.derive(0)["derived"]
     assert isinstance(derived, ca.Function)
     functions = {"derived": _plain(derived), **functions}
     if law is not None:

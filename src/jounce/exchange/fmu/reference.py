@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.exchange.fmu.variables import structured
+from jounce.exchange.fmu.variables import structured_name
 from jounce.mechanics import Mechanism, constant, constant_rate
 from jounce.mechanics.facts import ModelFacts, speed_of
 from jounce.parts import Rig
@@ -67,7 +67,7 @@ def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
 def reference(given: Given) -> tuple[bytes, str]:
     """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and a text about it."""
     columns, what = given()
-    rows = [",".join(map(structured, columns))]
+    rows = [",".join(map(structured_name, columns))]
     rows += [",".join(f"{value + 0.0:.9g}" for value in row) for row in np.column_stack([*columns.values()])]
     note = f"""<h2>To test it</h2>
 <p><code>extra/jounce/reference.csv</code> in the archive holds a run of jounce {what}:

@@ -235,7 +235,7 @@ def _of_mechanism(mechanism: Mechanism) -> Subject:
     compiled = compile_model(model)
     u = compiled.inputs(0.0)
     x = assemble(model, p, u, None).x
-    m = compiled.sides(x, u, compiled.extended(p))
+    m = compiled.sides(x, u, compiled.extend(p))
     pace = np.abs(np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, m)))
     n_q, n_v = compiled.facts.counts
     scale = np.ones(len(x))

@@ -73,10 +73,10 @@ class Variables:
         return next(variable.reference for variable in self.everything if variable.name == name)
 
 
-def structured(name: str) -> str:
+def structured_name(name: str) -> str:
     """A name as the naming convention of FMI allows it: blanks and the like become underscores.
 
-    >>> structured("lower_arm.angle rate"), structured("control.F[0][1]")
+    >>> structured_name("lower_arm.angle rate"), structured_name("control.F[0][1]")
     ('lower_arm.angle_rate', 'control.F[0,1]')
     """
     return re.sub(r"[^\w.\[\],]", "_", name.replace("][", ","), flags=re.ASCII)
@@ -121,7 +121,7 @@ def list_variables(
     state_units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
     states = [
         ModelVariable(
-            first["x"] + i, structured(name), "output" if name in same else "local", "continuous", "approx",
+            first["x"] + i, structured_name(name), "output" if name in same else "local", "continuous", "approx",
             state_units[i], outputs[name].long_name if name in same else "", float(start["x"][i]),
             depends=(first["x"] + i,),
         )
@@ -143,29 +143,29 @@ def list_variables(
             text = "always zero: a command holds" if place else "command of the controller inside"
             causality = "local" if place else "output"
             tracks.append(
-                ModelVariable(first["u"] + i, structured(name), causality, "discrete", "calculated", unit, text)
+                ModelVariable(first["u"] + i, structured_name(name), causality, "discrete", "calculated", unit, text)
             )
             continue
         tracks.append(
             ModelVariable(
-                first["u"] + i, structured(name), "input", "continuous", "", unit, meaning, float(start["u"][i]),
+                first["u"] + i, structured_name(name), "input", "continuous", "", unit, meaning, float(start["u"][i]),
                 derivative=first["u"] + i - 1 if place else None,
             )
         )  # fmt: skip
     numbers = [
         ModelVariable(
-            first["p"] + i, structured(names[path]), "parameter", "tunable", "exact", quantities[path].si,
+            first["p"] + i, structured_name(names[path]), "parameter", "tunable", "exact", quantities[path].si,
             start=float(start["p"][i]), least=_at_least(quantities[path]), most=quantities[path].at_most,
         )
         for i, path in enumerate(model.parameters)
     ] + [
-        ModelVariable(first["g"] + i, structured(f"control.{name}"), "parameter", "tunable", "exact", start=value)
+        ModelVariable(first["g"] + i, structured_name(f"control.{name}"), "parameter", "tunable", "exact", start=value)
         for i, (name, value) in enumerate(gains.items())
     ]  # fmt: skip
     hidden = {name for i, (name, _, _) in enumerate(ins) if not (sampled and i % order)} | same
     outs = [
         ModelVariable(
-            first["y"] + i, structured(name), "output", "continuous", "calculated", output.unit, output.long_name,
+            first["y"] + i, structured_name(name), "output", "continuous", "calculated", output.unit, output.long_name,
             depends=depends["y"][i],
         )
         for i, (name, output) in enumerate(outputs.items())
@@ -173,7 +173,7 @@ def list_variables(
     ]  # fmt: skip
     indicators = [
         ModelVariable(
-            first["z"] + i, structured(f"switch.{name}"), "local", "continuous", "calculated", "1",
+            first["z"] + i, structured_name(f"switch.{name}"), "local", "continuous", "calculated", "1",
             "event indicator, above zero where the mode is on", depends=depends["z"][i],
         )
         for i, name in enumerate(model.switches)
@@ -184,7 +184,7 @@ def list_variables(
             "co-simulation: relative error of displacements in one step", 1e-5, least=1e-14,
         ),
         *(
-            ModelVariable(at + 1 + i, structured(f"mode.{name}"), "local", "discrete", "calculated")
+            ModelVariable(at + 1 + i, structured_name(f"mode.{name}"), "local", "discrete", "calculated")
             for i, name in enumerate(model.switches)
         ),
         ModelVariable(
@@ -197,7 +197,9 @@ def list_variables(
     _refuse_collisions(everything, [*own, *(name for name, _, _ in ins), *outputs])
     shown = tuple(variable for variable in everything if variable.causality == "output")
     terminals = {
-        structured(track.rpartition(".")[0] if is_road(track) else track): tuple(tracks[order * i : order * i + order])
+        structured_name(track.rpartition(".")[0] if is_road(track) else track): tuple(
+            tracks[order * i : order * i + order]
+        )
         for i, track in enumerate(model.tracks)
         if track not in commands and not sampled
     }
@@ -260,7 +262,7 @@ def _refuse_collisions(everything: Sequence[ModelVariable], names: Sequence[str]
     seen: set[str] = set()
     for variable in everything:
         if variable.name in seen:
-            both = sorted({name for name in names if structured(name) == variable.name})
+            both = sorted({name for name in names if structured_name(name) == variable.name})
             raise OutputError(
                 "two signals have the same name in an FMU",
                 where=variable.name,

@@ -158,7 +158,7 @@ def _summary(record: StoredRecord) -> dict[str, Any]:
 @operation(
     "inspect search",
     arguments=0,
-    page="jounce.report.stores:found_records_page",
+    page="jounce.report.stores:record_search_page",
     title="{result.store}",
     doing="reading the store",
     example="jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01",

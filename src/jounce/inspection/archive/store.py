@@ -288,7 +288,7 @@ class Store:
 
         self._again(write)
 
-    def watched(self) -> dict[str, tuple[int, int]]:
+    def watched_files(self) -> dict[str, tuple[int, int]]:
         """Size (bytes) and time (ns) of the files that were looked at, by path."""
         with self._reading() as connection:
             rows = connection.execute(select(WATCHED.c.path, WATCHED.c.size, WATCHED.c.modified))

@@ -91,7 +91,7 @@ class FolderWatch:
         check_folder(self.folder)
         self._settle, self._clock = settle, clock
         self._suffixes = record_suffixes()
-        self._done: dict[str, _Stamp] = store.watched()
+        self._done: dict[str, _Stamp] = store.watched_files()
         self._waiting: dict[str, tuple[_Stamp, float, Path]] = {}
         self._reported = self._busy = ""
 

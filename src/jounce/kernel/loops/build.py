@@ -18,7 +18,7 @@ from numba.core import cgutils, codegen
 from numba.core.registry import cpu_target
 
 from jounce.kernel.arrays import Layout
-from jounce.kernel.cache import joined
+from jounce.kernel.cache import join
 from jounce.kernel.loops import ENTRY, FAILED, LOOPS, UNLOCKED
 from jounce.kernel.machine import optimise, this_machine
 
@@ -58,7 +58,7 @@ def bitcode_of(name: str) -> bytes:
     optimise(module, this_machine(), 1)
     module.name = name
     module.verify()
-    return joined({"leaves": entry.leaves}, module.as_bitcode())
+    return join({"leaves": entry.leaves}, module.as_bitcode())
 
 
 def _part(name: str) -> Any:

@@ -18,7 +18,7 @@ from jounce.kernel.methods.runge_kutta import NODES, SHORT_FIRST, SHORT_NODES
 _integrate = Loop("explicit")
 
 
-def shortened(engine: Engine, step: int, dense: int, error: int) -> Engine:
+def shorten(engine: Engine, step: int, dense: int, error: int) -> Engine:
     """The same with the pair of lower order: 6 stages in place of 15, for steps that edges keep short."""
     return engine._replace(step=step, dense=dense, error=error, first=SHORT_FIRST, after=FIRST_PROBE, shrink=-0.2)
 

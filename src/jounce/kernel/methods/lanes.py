@@ -24,7 +24,7 @@ from jounce.kernel.call import Loop
 from jounce.kernel.engine import Tracks
 from jounce.kernel.machine import vector_width
 from jounce.kernel.methods.exact import Run
-from jounce.kernel.native import Source, kept_code
+from jounce.kernel.native import Source, code_from_cache
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -74,7 +74,7 @@ class Sizes:
         return len(self.rows)
 
     @property
-    def kept(self) -> int:
+    def memory(self) -> int:
         """Rows of what a step changes; last how near a switching function came to its other side in it."""
         return self.states + SUMS * self.outputs + NEARS * self.switches + 1
 
@@ -92,7 +92,7 @@ class Sizes:
     @property
     def lanes(self) -> int:
         """Variants side by side."""
-        fit = _CACHE // (8 * (2 * self.kept + self.places[-1]))
+        fit = _CACHE // (8 * (2 * self.memory + self.places[-1]))
         return int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else vector_width()  # one vector at least
 
     @property
@@ -146,13 +146,13 @@ class Steps:
 
         sizes, n, inputs, terms = self.sizes, self.sizes.states, self.sizes.inputs, self.sizes.terms
         drift, forcing, series, outputs, numbers, modes, end = sizes.places
-        kept, variant, length = ca.SX.sym("kept", sizes.kept), ca.SX.sym("variant", end), ca.SX.sym("length")
+        memory, variant, length = ca.SX.sym("kept", sizes.memory), ca.SX.sym("variant", end), ca.SX.sym("length")
         side, over_edge = inputs + sizes.tracks, jumping is not None
         course = ca.SX.sym("course", sizes.signals + 2 * side + (inputs + sizes.jumping * terms if over_edge else 0))
         after = course[sizes.signals : sizes.signals + side]
         before = course[sizes.signals + side : sizes.signals + 2 * side]
         at_edges = course[sizes.signals + 2 * side :]
-        x, sums, near = kept[:n], kept[n : n + SUMS * sizes.outputs], kept[n + SUMS * sizes.outputs : -1]
+        x, sums, near = memory[:n], memory[n : n + SUMS * sizes.outputs], memory[n + SUMS * sizes.outputs : -1]
         moved, nearest = x, ca.SX(1.0)
         if steps:
             moved = x + ca.reshape(variant[: n * n], n, n) @ x + variant[drift:forcing]
@@ -167,8 +167,8 @@ class Steps:
                 y[k] = ca.dot(variant[place:end_of_row], signals[list(row)]) + variant[end_of_row]
                 place = end_of_row + 1
             total, squares, least, most = (sums[i::SUMS] for i in range(SUMS))
-            found = ca.horzcat(total + y, squares + y * y, ca.fmin(least, y), ca.fmax(most, y))
-            sums = ca.reshape(found.T, SUMS * sizes.outputs, 1)
+            updated = ca.horzcat(total + y, squares + y * y, ca.fmin(least, y), ca.fmax(most, y))
+            sums = ca.reshape(updated.T, SUMS * sizes.outputs, 1)
         if sizes.switches:
             p, m, sign = ca.SX(self.watch.size1_in(3), 1), variant[modes:], 2.0 * variant[modes:] - 1.0
             for i, number in enumerate(self.numbers):
@@ -176,8 +176,8 @@ class Steps:
 
             def watch(at: ca.SX) -> tuple[ca.SX, ca.SX]:
                 """How far each switching function is from its other side, and how fast it goes away from there."""
-                found = self.watch(moved, at[:inputs], at[inputs:], p, m)
-                return sign * found[: sizes.switches], sign * found[sizes.switches :]
+                values = self.watch(moved, at[:inputs], at[inputs:], p, m)
+                return sign * values[: sizes.switches], sign * values[sizes.switches :]
 
             there, leaving = watch(after)
             if steps:
@@ -194,7 +194,7 @@ class Steps:
                 for i in range(1, sizes.switches):
                     nearest = ca.fmin(nearest, lowest[i])
             near = ca.reshape(ca.horzcat(there, leaving).T, NEARS * sizes.switches, 1)
-        return [kept, variant, course, length], [ca.densify(ca.vertcat(moved, sums, near, nearest))]
+        return [memory, variant, course, length], [ca.densify(ca.vertcat(moved, sums, near, nearest))]
 
 
 class Course(NamedTuple):
@@ -306,13 +306,13 @@ def dependence(identity: str, output: Callable[[], ca.Function]) -> tuple[tuple[
 
         function = output()
         arguments = [ca.SX.sym(name, function.size1_in(i)) for i, name in enumerate("xupm")]
-        found = ca.jacobian_sparsity(ca.densify(function(*arguments)), ca.vertcat(*arguments[:2]))
-        rows, columns = (np.array(part, dtype=int) for part in found.get_triplet())
+        pattern = ca.jacobian_sparsity(ca.densify(function(*arguments)), ca.vertcat(*arguments[:2]))
+        rows, columns = (np.array(part, dtype=int) for part in pattern.get_triplet())
         of = [np.unique(columns[rows == row]).tolist() for row in range(function.size1_out(0))]
         return Source({}, notes=json.dumps(of))
 
     def make() -> tuple[tuple[int, ...], ...]:
-        return tuple(map(tuple, json.loads(kept_code(f"outputs depend on {identity}", source)[1])))
+        return tuple(map(tuple, json.loads(code_from_cache(f"outputs depend on {identity}", source)[1])))
 
     return _dependences.of(identity, make)
 
@@ -341,10 +341,10 @@ def course(
     for track in range(count):
         first, last = tracks.first[track], tracks.first[track + 1] - 1
         stops, own = tracks.stop[first:last], slice(track * each, (track + 1) * each)
-        for found, side, shift in ((nodes, "right", slack), (before, "left", -slack)):
+        for table, side, shift in ((nodes, "right", slack), (before, "left", -slack)):
             piece = first + np.searchsorted(stops, times + shift, side=side)  # type: ignore[call-overload]
-            found[:, own] = _signals(tracks, track, piece, times, each)
-            if found is nodes:
+            table[:, own] = _signals(tracks, track, piece, times, each)
+            if table is nodes:
                 wave = np.searchsorted(frequency, _frequency(tracks, track, piece[:-1]))
                 here = nodes[:-1, own][:, :signals].copy()
                 here[wave > 0, 3:] = 0.0  # which follows from the others on a sine
@@ -398,8 +398,8 @@ def course(
 
 def frequencies(tracks: Tracks) -> Array:
     """Angular frequencies of all sines (rad/s), ascending, after a zero."""
-    found = [_frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))]
-    return np.unique(np.concatenate([np.zeros(1), *found]))
+    of_tracks = [_frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))]
+    return np.unique(np.concatenate([np.zeros(1), *of_tracks]))
 
 
 def _frequency(tracks: Tracks, track: int, piece: Integers) -> Array:
@@ -408,7 +408,7 @@ def _frequency(tracks: Tracks, track: int, piece: Integers) -> Array:
 
 def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
     """Which signals of tracks jump at an edge between polynomials, but for rounding."""
-    found = set()
+    jumping = set()
     for track in range(len(tracks.rate)):
         first, last = tracks.first[track], tracks.first[track + 1] - 1
         inner = np.arange(first, last)
@@ -416,15 +416,15 @@ def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
         at = tracks.stop[inner]
         old, new = (_signals(tracks, track, inner + j, at, signals) for j in (0, 1))
         size = 1e-12 * np.max(np.abs(np.vstack([old, new, np.zeros((1, signals))])), axis=0)
-        found |= {track * signals + int(j) for j in np.flatnonzero(np.any(np.abs(new - old) > size, axis=0))}
-    return tuple(sorted(found))
+        jumping |= {track * signals + int(j) for j in np.flatnonzero(np.any(np.abs(new - old) > size, axis=0))}
+    return tuple(sorted(jumping))
 
 
 def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals: int) -> Array:
     """Value and derivatives of some pieces at some times."""
     rate, c = tracks.rate[track], tracks.coefficients[piece].T
     s = rate * (times - tracks.start[piece])
-    found = np.array(
+    values = np.array(
         [
             c[0] + s * (c[1] + s * (c[2] + s * c[3])),
             rate * (c[1] + s * (2.0 * c[2] + 3.0 * s * c[3])),
@@ -436,8 +436,8 @@ def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals:
     if bent.any():
         c, s, w = c[:, bent], s[bent], rate * c[2, bent]
         sine, cosine = np.sin(c[2] * s + c[3]), np.cos(c[2] * s + c[3])
-        found[:, bent] = c[0] + c[1] * sine, c[1] * w * cosine, -c[1] * w**2 * sine, -c[1] * w**3 * cosine
-    return found[:signals].T
+        values[:, bent] = c[0] + c[1] * sine, c[1] * w * cosine, -c[1] * w**2 * sine, -c[1] * w**3 * cosine
+    return values[:signals].T
 
 
 class Code(NamedTuple):
@@ -455,7 +455,7 @@ def code(identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function,
     """
 
     def make() -> Code:
-        native, notes = kept_code(f"lanes {sizes} {identity}", lambda: _source(sizes, *functions()))
+        native, notes = code_from_cache(f"lanes {sizes} {identity}", lambda: _source(sizes, *functions()))
         numbers = tuple(json.loads(notes))
         return Code(tuple(native.address[name] for name in sizes.names), replace(sizes, numbers=len(numbers)), numbers)
 
@@ -474,8 +474,8 @@ def _source(sizes: Sizes, switch: ca.Function, rate: ca.Function) -> Source:
     at = switch(x, u, p, m)
     along = ca.jtimes(at, x, rate(x, u, p, m)) + ca.jtimes(at, u, ca.vertcat(*rates))
     watch = ca.Function("watch", [x, u, last, p, m], [ca.densify(ca.vertcat(at, along))])
-    found = ca.vertcat(at, along)
-    numbers = tuple(i for i in range(p.shape[0]) if ca.depends_on(found, p[i]))
+    expression = ca.vertcat(at, along)
+    numbers = tuple(i for i in range(p.shape[0]) if ca.depends_on(expression, p[i]))
     return Source({}, Steps(replace(sizes, numbers=len(numbers)), watch, numbers), json.dumps(numbers))
 
 
@@ -487,8 +487,8 @@ def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:
     n, wide, all_modes = sizes.states, sizes.lanes, sizes.lanes * sizes.modes
     _, rows, width = run.props.matrix.shape
     return Room(
-        np.zeros((sizes.kept, wide)),
-        np.zeros((sizes.kept, wide)),
+        np.zeros((sizes.memory, wide)),
+        np.zeros((sizes.memory, wide)),
         np.zeros((sizes.places[-1], wide)),
         np.zeros((wide, values)),
         np.zeros((wide, sizes.switches)),
@@ -503,7 +503,7 @@ def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:
         np.zeros((all_modes, sizes.places[-1])),
         np.zeros(all_modes, dtype=np.int64),
         np.zeros(wide, dtype=np.int64),
-        np.zeros((2, sizes.kept)),
+        np.zeros((2, sizes.memory)),
         np.zeros(sizes.tracks, dtype=np.int64),
         np.zeros((n, n + 1)),
         np.zeros((sizes.outputs, n + sizes.inputs)),

@@ -14,7 +14,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.kernel.arrays import Block, Integers, Matrix, Vector
-from jounce.kernel.methods.rows import RowLoops, padded, row_loops
+from jounce.kernel.methods.rows import RowLoops, padded_length, row_loops
 
 PROBES = (0.0, 0.5, 1.0)
 """Shares of a part of a step at which the switching functions are looked at."""
@@ -118,7 +118,7 @@ def propagators(
     quantities the native function of slopes differentiates; ``frequency`` holds the angular frequencies of the sines
     (rad/s) after a zero, ``scale`` typical sizes of the states.
     """
-    width, count = padded(sizes[0]), min(2 ** min(switches, 60), _MOST)
+    width, count = padded_length(sizes[0]), min(2 ** min(switches, 60), _MOST)
     layout = _layout(*sizes, waves=len(frequency), width=width)
     return Propagators(
         calls,

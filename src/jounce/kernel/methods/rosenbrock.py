@@ -138,13 +138,13 @@ def _element_functions() -> dict[str, ca.Function]:
     x, end, h, none = (ca.SX.sym(name) for name in ("x", "end", "h", "none"))
     k = ca.SX.sym("k", STAGES + 1)
 
-    def weighted(weights: Iterable[float]) -> ca.SX:
+    def weighted_sum(weights: Iterable[float]) -> ca.SX:
         return sum((float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0))
 
-    found = {f"right {i}": [x + D[i] * h * k[STAGES] + weighted(B[i]) / h] for i in range(STAGES)}
-    found |= {f"place {i}": [x + weighted(A[i])] for i in range(1, STAGES + 1)}
-    functions = {name: ca.Function("f", [x, k, h, none], value) for name, value in found.items()}
-    first, second, third = (weighted(H[i]) for i in range(3))
+    expressions = {f"right {i}": [x + D[i] * h * k[STAGES] + weighted_sum(B[i]) / h] for i in range(STAGES)}
+    expressions |= {f"place {i}": [x + weighted_sum(A[i])] for i in range(1, STAGES + 1)}
+    functions = {name: ca.Function("f", [x, k, h, none], value) for name, value in expressions.items()}
+    first, second, third = (weighted_sum(H[i]) for i in range(3))
     rows = ca.vertcat(end - x, first, second + third, -third)
     functions["interpolant of one"] = ca.Function("f", [ca.vertcat(x, end), k, h, none], [rows])
     return functions

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from llvmlite import ir
 
 from jounce.core.remembered import Recent
-from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.native import Native, Source, code_from_cache
 
 if TYPE_CHECKING:
     from jounce.kernel.lowering import Lowering
@@ -32,7 +32,7 @@ class RowLoops(NamedTuple):
     march: int
 
 
-def padded(count: int) -> int:
+def padded_length(count: int) -> int:
     """Length of a row for so many states."""
     return 4 if count <= 4 else -(-count // _WIDEST) * _WIDEST
 
@@ -41,7 +41,7 @@ def row_loops(width: int, count: int) -> RowLoops:
     """Native loops for rows of ``width`` numbers, of which ``count`` are states."""
 
     def make() -> Native:
-        return kept_code(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
+        return code_from_cache(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
 
     native = _loops.of((width, count), make)
     return RowLoops(*(native.address[name] for name in _NAMES))
@@ -164,8 +164,8 @@ def _add_rows(module: ir.Module, width: int) -> None:
     function, builder = _function(module, "add_rows", 3, 2)
     to, matrix, weights, count, stride = function.args
     target = _Rows(builder, to, width)
-    found = _sum_of_rows(builder, target.load(_INDEX(0)), _Rows(builder, matrix, width), count, weights, stride)
-    target.store(found, _INDEX(0))
+    value = _sum_of_rows(builder, target.load(_INDEX(0)), _Rows(builder, matrix, width), count, weights, stride)
+    target.store(value, _INDEX(0))
     builder.ret_void()
 
 
@@ -187,15 +187,15 @@ def _march(module: ir.Module, width: int, states: int) -> None:
     rows, matrix, forcing, signals, to, count, forced, stride = function.args
     given, acting = _Rows(builder, rows, width), _Rows(builder, forcing, width)
     images = [_Rows(builder, matrix, width).load(_INDEX(j)) for j in range(states)]
-    kept = [_variable(builder, value) for value in given.load(_INDEX(0))]
+    variables = [_variable(builder, value) for value in given.load(_INDEX(0))]
 
-    def acted(k: Any) -> list[Any]:
+    def act(k: Any) -> list[Any]:
         start = given.load(builder.add(k, _INDEX(1)))
         return _sum_of_rows(builder, start, acting, forced, builder.gep(signals, [k]), stride)
 
     def move(over: list[list[Any]], change: list[Any]) -> list[Any]:
-        x = [builder.load(value) for value in kept]
-        return _sum(builder, x, _applied(builder, x, over, change))
+        x = [builder.load(value) for value in variables]
+        return _sum(builder, x, _apply(builder, x, over, change))
 
     def write(x: list[Any], k: Any) -> None:
         for j in range(states):
@@ -204,7 +204,7 @@ def _march(module: ir.Module, width: int, states: int) -> None:
 
     def advance(x: list[Any], k: Any) -> None:
         write(x, k)
-        for value, place in zip(x, kept, strict=True):
+        for value, place in zip(x, variables, strict=True):
             builder.store(value, place)
 
     # The next state waits for this one through a whole product. With the images of two steps known (e^2a - 1 once
@@ -212,28 +212,28 @@ def _march(module: ir.Module, width: int, states: int) -> None:
     # registers left.
     paired = builder.and_(count, _INDEX(-2)) if width <= given.vector.count else _INDEX(0)
     if width <= given.vector.count:
-        twice = [_applied(builder, image, images, _sum(builder, image, image)) for image in images]
+        twice = [_apply(builder, image, images, _sum(builder, image, image)) for image in images]
         with _counting(builder, _INDEX(0), paired, _INDEX(2)) as k:
             following = builder.add(k, _INDEX(1))
-            first, second = acted(k), acted(following)
+            first, second = act(k), act(following)
             write(move(images, first), k)
-            advance(move(twice, _applied(builder, first, images, _sum(builder, first, second))), following)
+            advance(move(twice, _apply(builder, first, images, _sum(builder, first, second))), following)
     with _counting(builder, paired, count, _INDEX(1)) as k:
-        advance(move(images, acted(k)), k)
+        advance(move(images, act(k)), k)
     builder.ret_void()
 
 
-def _applied(builder: Any, x: list[Any], images: list[list[Any]], start: list[Any]) -> list[Any]:
+def _apply(builder: Any, x: list[Any], images: list[list[Any]], start: list[Any]) -> list[Any]:
     """``start + E x``; summed in four parts, so that no sum waits long for the term before."""
     vector = x[0].type
     spread = [_lane(builder, x[j // vector.count], j % vector.count) for j in range(len(images))]
-    found = []
+    sums = []
     for b, first in enumerate(start):
         parts = [first, *[ir.Constant(vector, [0.0] * vector.count)] * 3]
         for j, weight in enumerate(spread):
             parts[j % 4] = _add_product(builder, weight, images[j][b], parts[j % 4])
-        found.append(builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3])))
-    return found
+        sums.append(builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3])))
+    return sums
 
 
 def _sum(builder: Any, x: list[Any], y: list[Any]) -> list[Any]:

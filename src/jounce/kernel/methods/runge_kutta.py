@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 
 def _spread(weights: dict[int, float]) -> Array:
     """Weights of some stages among all."""
-    found = np.zeros(STAGES)
-    found[list(weights)] = list(weights.values())
-    return found
+    row = np.zeros(STAGES)
+    row[list(weights)] = list(weights.values())
+    return row
 
 
 # fmt: off

@@ -39,7 +39,7 @@ from jounce.parts.importers.drafts import (
     set_on_the_road,
     tensor_of,
 )
-from jounce.parts.importers.hardpoints import PointReading, known_names
+from jounce.parts.importers.hardpoints import PointReading, names_of_points
 from jounce.parts.importers.points import PointRow, PointTable
 from jounce.parts.importers.teim_orbit import Block, TeimOrbit, number, read_teim_orbit
 
@@ -444,7 +444,7 @@ class _Subsystem:
     def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
         """Bushings at the hardpoints that may have one, where their property files are."""
         bushings: dict[str, dict[str, Any]] = {}
-        known = known_names()
+        known = names_of_points()
         for block in self.file.blocks_of("BUSHING_ASSEMBLY"):
             point = self.names.get(block.usage, known.get(block.usage.replace("_", " "), ""))
             file = self._property(block)

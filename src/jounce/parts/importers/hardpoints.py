@@ -411,7 +411,7 @@ def _sort_out(name: str) -> tuple[str, str, str]:
     return " ".join(words), axle, side
 
 
-def known_names() -> dict[str, str]:
+def names_of_points() -> dict[str, str]:
     """Plain name of a point to ours: those of all rig files, and those of other programs."""
     names: dict[str, str] = {}
     for kind in Corner.__subclasses__():
@@ -454,7 +454,7 @@ class PointReading:
     def _choose(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
         """Points of the wanted corner by our names."""
         own = {_plain(theirs): ours for theirs, ours in names.items()}
-        known = known_names()
+        known = names_of_points()
         for theirs, ours in names.items():
             if ours not in known.values():
                 raise unknown(ours, set(known.values()), what="hardpoint", where=f"name {theirs}")

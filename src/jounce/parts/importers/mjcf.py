@@ -33,7 +33,7 @@ from jounce.parts.importers.drafts import (
     sprung_mass_of,
     tensor_of,
 )
-from jounce.parts.importers.hardpoints import PointReading, known_names
+from jounce.parts.importers.hardpoints import PointReading, names_of_points
 from jounce.parts.importers.points import AXLE_END, PointRow, PointTable
 
 _LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
@@ -163,7 +163,7 @@ class _Tree:
             self._defaults[""] = self._defaults[element.get("class", "main")]  # the outermost class is everybody's
         self.sites: dict[str, tuple[Array, str]] = {}
         self.axle_end: Array | None = None
-        self._known = known_names()
+        self._known = names_of_points()
         self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
         worlds = self.root.findall("worldbody")
         if not worlds:

@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.types import Array
-from jounce.plots.figures import INK, MUTED, figure_type, styled
+from jounce.plots.figures import INK, MUTED, figure_type, in_style
 from jounce.plots.labels import column_height, column_width, write_names
 from jounce.plots.mechanisms.scene import MIDDLE, Pose, Poses, Scene, poses_of, scene_of
 
@@ -460,7 +460,7 @@ def _handle(label: str, colour: str, **options: Any) -> Line2D:
 _LOW, _MIDDLE, _HIGH = "#0067a8", "#a9b0b7", "#d55e00"
 
 
-@styled
+@in_style
 def mechanism(
     rig: Corner,
     poses: xr.Dataset | None = None,

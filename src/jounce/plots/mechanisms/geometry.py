@@ -13,7 +13,7 @@ from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import PARALLEL, kinematic_value, number
-from jounce.plots.figures import INK, MUTED, PALETTE, figure_type, styled
+from jounce.plots.figures import INK, MUTED, PALETTE, figure_type, in_style
 from jounce.plots.mechanisms.drawing import MM, Look, View, draw_pose, everything, show_ticks, views_of
 from jounce.plots.mechanisms.scene import Pose, Scene, scene_of
 
@@ -92,7 +92,7 @@ class _Centres:
         return np.array([0.0, self.pose.ground + self.rows["roll_centre_height"]])
 
 
-@styled
+@in_style
 def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "") -> Figure:
     """Draw a corner at design in front, side and top view with instant centres, roll centre and steering axis.
 

@@ -16,7 +16,7 @@ from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.load_cases import from_across
-from jounce.plots.figures import MUTED, rendered, styled
+from jounce.plots.figures import MUTED, in_style, render_figure
 from jounce.plots.mechanisms.drawing import MM, ROAD, View, axis_view, draw_pose, everything, show_ticks
 from jounce.plots.mechanisms.scene import MIDDLE, Pose, Scene, poses_of, scene_of
 
@@ -37,15 +37,15 @@ _SEEN = 0.01  # share of the largest force from which it is drawn
 _LEAST = 1e-3  # N: rounding of balances
 
 
-@styled
-def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
+@in_style
+def load_case(rig: Corner, data: xr.Dataset, case: str) -> Figure:
     """Draw one load case: front and top view of both wheels where they stand, with forces in kN (lbf).
 
     Parameters
     ----------
     rig : Corner
         The corner that the cases are of.
-    found : xarray.Dataset
+    data : xarray.Dataset
         As :func:`jounce.load_cases` gives it.
     case : str
         Which case.
@@ -58,7 +58,7 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     Raises
     ------
     DescriptionError
-        For a case that ``found`` does not have.
+        For a case that ``data`` does not have.
 
     Examples
     --------
@@ -72,13 +72,13 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     """
     from matplotlib.figure import Figure
 
-    known = [str(name) for name in found["case"].to_numpy()]
+    known = [str(name) for name in data["case"].to_numpy()]
     if case not in known:
         raise unknown(case, known, what="load case", where="case")
     left = rig if rig.side == "left" else rig.mirrored()
     wheels: list[_Drawn] = []
     for wheel, side in (("left", left), ("right", left.mirrored())):
-        loads = found.sel(case=case, wheel=wheel)
+        loads = data.sel(case=case, wheel=wheel)
         scene = scene_of(side)
         pose = poses_of(side, scene, sweep_travel(side, [float(loads["wheel_travel"])], points=True)).pose(0)
         wheels.append((scene, pose, loads))
@@ -228,19 +228,19 @@ def _beside(room: Array, away: Array) -> Iterator[tuple[float, float]]:
                 yield side, height
 
 
-def write_loaded(found: AxleLoads, folder: Path | str, *, force: bool = False) -> list[Path]:
+def write_loaded(axle_loads: AxleLoads, folder: Path | str, *, force: bool = False) -> list[Path]:
     """Draw every case of an axle into a folder, as :func:`write_load_cases` does."""
-    return write_load_cases(found.rig, found.data, folder, force=force)
+    return write_load_cases(axle_loads.rig, axle_loads.data, folder, force=force)
 
 
-def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
+def write_load_cases(rig: Corner, loads: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
     """Draw every case into a folder, one PNG each.
 
     Parameters
     ----------
     rig : Corner
         The corner that the cases are of.
-    found : xarray.Dataset
+    loads : xarray.Dataset
         As :func:`jounce.load_cases` gives it.
     folder : Path or str
         Made where it is missing.
@@ -271,11 +271,11 @@ def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, forc
     >>> [file.name for file in write_load_cases(rig, found, pathlib.Path(tempfile.mkdtemp()) / "cases")]
     ['braking-1.2-g.png']
     """
-    names = [str(name) for name in found["case"].to_numpy()]
+    names = [str(name) for name in loads["case"].to_numpy()]
     files = {name: re.sub(r"[^\w.]+", "-", name).strip("-.") + ".png" for name in names}
     if len(set(files.values())) < len(names):
         raise DescriptionError("two cases would have one file", where="cases", found=", ".join(names))
     contents: dict[str, bytes | str] = {
-        file: rendered(load_case(rig, found, name), [".png"])[".png"] for name, file in files.items()
+        file: render_figure(load_case(rig, loads, name), [".png"])[".png"] for name, file in files.items()
     }
     return write_files(folder, contents, force=force)
