@@ -52,4 +52,5 @@ def old_property(old: str, new: str) -> Any:
         warnings.warn(f"{old} is called {new} now", DeprecationWarning, stacklevel=2)
         return getattr(self, new)
 
+    get.__doc__ = f"The attribute ``{new}`` under its old name, with a warning."
     return property(get)
